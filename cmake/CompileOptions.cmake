@@ -1,0 +1,14 @@
+# Options of this package's own code; headers of other packages are system headers.
+add_library(stereo_sgmp_compile_options INTERFACE)
+target_compile_options(stereo_sgmp_compile_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+  # The same bits on every SIMD target: no fused multiply-add behind the program's back.
+  -ffp-contract=off)
+if(STEREO_SGMP_WARNINGS_AS_ERRORS)
+  target_compile_options(stereo_sgmp_compile_options INTERFACE -Werror)
+endif()
+if(STEREO_SGMP_SANITIZE)
+  add_compile_options(-fsanitize=${STEREO_SGMP_SANITIZE} -fno-omit-frame-pointer
+                      -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${STEREO_SGMP_SANITIZE})
+endif()

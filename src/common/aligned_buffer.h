@@ -1,0 +1,51 @@
+#ifndef STEREO_SGMP_COMMON_ALIGNED_BUFFER_H_
+#define STEREO_SGMP_COMMON_ALIGNED_BUFFER_H_
+
+#include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <type_traits>
+
+namespace stereo_sgmp {
+
+// Uninitialised memory for SIMD kernels that grows when asked and is reused otherwise.
+template <class T>
+class AlignedBuffer {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  static constexpr std::size_t kAlignment = 64;
+
+  // Makes room for `count` values; their content is unspecified.
+  void Resize(std::size_t count) {
+    if (count > capacity_) {
+      memory_.reset();
+      capacity_ = 0;
+      const std::size_t bytes = (count * sizeof(T) + kAlignment - 1) / kAlignment * kAlignment;
+      void* memory = std::aligned_alloc(kAlignment, bytes);
+      if (memory == nullptr) throw std::bad_alloc();
+      memory_.reset(static_cast<T*>(memory));
+      capacity_ = count;
+    }
+    size_ = count;
+  }
+
+  T* data() { return memory_.get(); }
+  const T* data() const { return memory_.get(); }
+  std::size_t size() const { return size_; }
+  T& operator[](std::size_t i) { return memory_.get()[i]; }
+  const T& operator[](std::size_t i) const { return memory_.get()[i]; }
+
+ private:
+  struct Free {
+    void operator()(T* memory) const { std::free(memory); }
+  };
+  std::unique_ptr<T, Free> memory_;
+  std::size_t capacity_ = 0;
+  std::size_t size_ = 0;
+};
+
+}  // namespace stereo_sgmp
+
+#endif  // STEREO_SGMP_COMMON_ALIGNED_BUFFER_H_

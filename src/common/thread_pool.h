@@ -1,0 +1,49 @@
+#ifndef STEREO_SGMP_COMMON_THREAD_POOL_H_
+#define STEREO_SGMP_COMMON_THREAD_POOL_H_
+
+#include <condition_variable>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace stereo_sgmp {
+
+// Threads that sleep between tasks. One task at a time; a task must not start another.
+class ThreadPool {
+ public:
+  // 0 takes the number of cores. The calling thread works too, so one fewer is started.
+  explicit ThreadPool(int threads);
+  ~ThreadPool();
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
+
+  int size() const { return static_cast<int>(workers_.size()) + 1; }
+
+  // Calls task(0) ... task(size() - 1), each on a thread of its own at the same time, and
+  // returns when all have. The first exception thrown is thrown again here.
+  void Run(const std::function<void(int)>& task);
+
+  // Calls body(begin, end) over a partition of [0, count) into contiguous ranges.
+  void ForRanges(int count, const std::function<void(int, int)>& body);
+
+ private:
+  void Work(int index);
+  void Execute(int index);
+
+  std::vector<std::thread> workers_;
+  std::mutex mutex_;
+  std::condition_variable start_;
+  std::condition_variable done_;
+  const std::function<void(int)>* task_ = nullptr;
+  std::uint64_t generation_ = 0;
+  int running_ = 0;
+  bool stopping_ = false;
+  std::exception_ptr error_;
+};
+
+}  // namespace stereo_sgmp
+
+#endif  // STEREO_SGMP_COMMON_THREAD_POOL_H_
