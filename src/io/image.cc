@@ -1,0 +1,90 @@
+#include "io/image.h"
+
+#include <filesystem>
+#include <stdexcept>
+#include <vector>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "io/file_io.h"
+
+namespace stereo_sgmp {
+namespace {
+
+bool StartsWith(const std::string& bytes, const std::string& prefix) {
+  return bytes.compare(0, prefix.size(), prefix) == 0;
+}
+
+// Decoders fill the missing part of a truncated file with gray, or complain on their own, so it
+// is recognised by the end mark that its format prescribes.
+bool IsTruncated(const std::string& bytes) {
+  if (StartsWith(bytes, "\x89PNG")) return bytes.rfind("IEND") == std::string::npos;
+  if (StartsWith(bytes, "\xFF\xD8")) {
+    const std::size_t end = bytes.rfind("\xFF\xD9");
+    const std::size_t scan = bytes.rfind("\xFF\xDA");  // a thumbnail ends before the last scan
+    return end == std::string::npos || scan == std::string::npos || end < scan;
+  }
+  return false;
+}
+
+cv::Mat Decode(const std::string& bytes, const std::string& path) {
+  const std::vector<unsigned char> buffer(bytes.begin(), bytes.end());
+  try {
+    return cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception& error) {
+    throw std::invalid_argument(path + ": the picture can't be decoded (" + error.err + ").");
+  }
+}
+
+std::string Describe(const cv::Mat& image) {
+  return std::to_string(image.cols) + " x " + std::to_string(image.rows) + " pixels of " +
+         std::to_string(image.channels()) + " x " + std::to_string(8 * image.elemSize1()) + " bit";
+}
+
+}  // namespace
+
+cv::Mat LoadImage(const std::string& path) {
+  const std::string bytes = ReadFile(path);
+  if (IsTruncated(bytes)) {
+    throw std::invalid_argument(path + ": the picture is truncated after " +
+                                std::to_string(bytes.size()) + " bytes.");
+  }
+  cv::Mat image = Decode(bytes, path);
+  if (image.empty()) {
+    throw std::invalid_argument(path + ": this is not a picture that can be read (PNG, JPEG, " +
+                                "PNM, TIFF ... are expected).");
+  }
+  const bool known_depth = image.depth() == CV_8U || image.depth() == CV_16U;
+  if (!known_depth || image.channels() == 2) {
+    throw std::invalid_argument(path + ": " + Describe(image) +
+                                " found, 8 or 16 bit gray, BGR or BGRA expected.");
+  }
+  return image;
+}
+
+void CheckPair(const cv::Mat& left, const std::string& left_name, const cv::Mat& right,
+               const std::string& right_name) {
+  if (left.size() == right.size() && left.type() == right.type()) return;
+  throw std::invalid_argument("The images of a pair must have one size and type, but " + left_name +
+                              " has " + Describe(left) + " and " + right_name + " has " +
+                              Describe(right) + ".");
+}
+
+void CheckImageName(const std::string& path) {
+  if (cv::haveImageWriter(path)) return;
+  throw std::invalid_argument(path + ": no picture format has the extension \"" +
+                              std::filesystem::path(path).extension().string() +
+                              "\"; take .png, for example.");
+}
+
+void SaveImage(const std::string& path, const cv::Mat& image) {
+  CheckImageName(path);
+  WriteAtomically(path, [&](const std::string& temporary) {
+    if (!cv::imwrite(temporary, image)) {
+      throw std::runtime_error(path + ": the picture can't be written; check permissions and " +
+                               "free space.");
+    }
+  });
+}
+
+}  // namespace stereo_sgmp
