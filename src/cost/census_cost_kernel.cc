@@ -1,0 +1,85 @@
+// Counting the bits of bytes is one instruction from this target on.
+#ifndef HWY_WANT_AVX3_DL
+#define HWY_WANT_AVX3_DL
+#endif
+
+#include "cost/census_cost_kernel.h"
+
+#include "cost/match_span.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "cost/census_cost_kernel.cc"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "cost/hamming-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace stereo_sgmp {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D8 = hn::CappedTag<std::uint8_t, VolumeShape::kPadding>;
+using V8 = hn::Vec<D8>;
+
+// kScale h, for the scales in use; bytes have no multiplication.
+template <int kScale>
+HWY_INLINE V8 Scaled(V8 h) {
+  static_assert(kScale == 4 || kScale == 10);
+  const V8 h2 = hn::Add(h, h);
+  const V8 h4 = hn::Add(h2, h2);
+  return kScale == 4 ? h4 : hn::Add(hn::Add(h4, h4), h2);
+}
+
+template <int kBits, int kScale>
+HWY_INLINE void CensusStretch(FeatureRow left, FeatureRow right, const VolumeShape& shape,
+                              int x_begin, int x_end, std::uint8_t* costs) {
+  constexpr int kPlanes = (kBits + 7) / 8;
+  const D8 d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  for (int x = x_begin; x < x_end; ++x, costs += shape.Stride()) {
+    // Copied, because stores to `costs` could change them for all the compiler knows.
+    std::uint8_t census[kPlanes];
+    for (int i = 0; i < kPlanes; ++i) census[i] = left.first[i * left.distance + x];
+    const std::uint8_t* matches = right.first + MirroredColumn(shape, x);
+    const MatchSpan inside = InsideSpan(shape, x);
+    for (int k = inside.begin / lanes * lanes; k < inside.end; k += lanes) {
+      const V8 h = HammingDistance(d, census, matches + k, right.distance);
+      hn::Store(Scaled<kScale>(h), d, costs + k);
+    }
+    FillOutside(shape, inside, kBits * kScale / 2, costs);
+  }
+}
+
+void Census5x5Stretch(FeatureRow left, FeatureRow right, const VolumeShape& shape, int x_begin,
+                      int x_end, std::uint8_t* costs) {
+  CensusStretch<kCensus5x5.Bits(), 10>(left, right, shape, x_begin, x_end, costs);
+}
+
+void Census9x7Stretch(FeatureRow left, FeatureRow right, const VolumeShape& shape, int x_begin,
+                      int x_end, std::uint8_t* costs) {
+  CensusStretch<kCensus9x7.Bits(), 4>(left, right, shape, x_begin, x_end, costs);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace stereo_sgmp
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace stereo_sgmp {
+
+HWY_EXPORT(Census5x5Stretch);
+HWY_EXPORT(Census9x7Stretch);
+
+void Census5x5CostRow(FeatureRow left, FeatureRow right, const VolumeShape& shape, int x_begin,
+                      int x_end, std::uint8_t* costs) {
+  HWY_DYNAMIC_DISPATCH(Census5x5Stretch)(left, right, shape, x_begin, x_end, costs);
+}
+
+void Census9x7CostRow(FeatureRow left, FeatureRow right, const VolumeShape& shape, int x_begin,
+                      int x_end, std::uint8_t* costs) {
+  HWY_DYNAMIC_DISPATCH(Census9x7Stretch)(left, right, shape, x_begin, x_end, costs);
+}
+
+}  // namespace stereo_sgmp
+#endif  // HWY_ONCE

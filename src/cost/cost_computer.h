@@ -1,0 +1,37 @@
+#ifndef STEREO_SGMP_COST_COST_COMPUTER_H_
+#define STEREO_SGMP_COST_COST_COMPUTER_H_
+
+#include <cstddef>
+
+#include <opencv2/core.hpp>
+
+#include "common/thread_pool.h"
+#include "cost/census_cost.h"
+#include "cost/cost_rows.h"
+#include "cost/mixed_cost.h"
+#include "cost/ncc_cost.h"
+#include "cost/radiometric_fit.h"
+#include "stereo_sgmp/options.h"
+
+namespace stereo_sgmp {
+
+// The matching costs of a pair by the options; keeps the buffers of each kind between frames.
+class CostComputer {
+ public:
+  // Images: CV_8UC1 of the size of `shape`; throws std::invalid_argument otherwise. `fit` serves
+  // the mixed cost only. The result is valid until the next call.
+  const CostRows& Prepare(const CostOptions& options, const cv::Mat& left, const cv::Mat& right,
+                          const VolumeShape& shape, const RadiometricFit& fit, ThreadPool* pool);
+
+ private:
+  MixedCost mixed_;
+  CensusCost census_;
+  NccCost ncc_;
+};
+
+// Bytes that a CostComputer holds after Prepare with these arguments.
+std::size_t CostMemory(const CostOptions& options, const VolumeShape& shape);
+
+}  // namespace stereo_sgmp
+
+#endif  // STEREO_SGMP_COST_COST_COMPUTER_H_

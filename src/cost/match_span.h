@@ -1,0 +1,51 @@
+// Where the matches of a pixel lie in a mirrored right image.
+#ifndef STEREO_SGMP_COST_MATCH_SPAN_H_
+#define STEREO_SGMP_COST_MATCH_SPAN_H_
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "cost/cost_rows.h"
+
+namespace stereo_sgmp {
+
+// Disparity indices [begin, end) whose match lies inside the right image.
+struct MatchSpan {
+  int begin = 0;
+  int end = 0;
+};
+
+// The part of [first, last] in [0, count); {0, 0} if there is none, so that rounding the begin
+// down to whole vectors can't make something of nothing.
+inline MatchSpan ClippedSpan(int first, int last, int count) {
+  const MatchSpan span{std::max(first, 0), std::min(last + 1, count)};
+  return span.begin < span.end ? span : MatchSpan{};
+}
+
+inline MatchSpan InsideSpan(const VolumeShape& shape, int x) {
+  const int last = x - shape.min_disparity;  // the index that matches column 0
+  return ClippedSpan(last - (shape.width - 1), last, shape.disparities);
+}
+
+// Column of the mirrored right image (column c holds x = width - 1 - c) that disparity index 0 of
+// pixel x matches; index k matches the column k further right. May lie outside the image.
+inline std::ptrdiff_t MirroredColumn(const VolumeShape& shape, int x) {
+  return static_cast<std::ptrdiff_t>(shape.width) - 1 - x + shape.min_disparity;
+}
+
+// Sets the costs of one pixel that are not in `inside`.
+inline void FillOutside(const VolumeShape& shape, MatchSpan inside, std::uint8_t cost,
+                        std::uint8_t* costs) {
+  // Most pixels have no such disparity: not even a call for them.
+  if (inside.begin > 0) std::memset(costs, cost, static_cast<std::size_t>(inside.begin));
+  if (inside.end < shape.disparities) {
+    const int count = shape.disparities - inside.end;
+    std::memset(costs + inside.end, cost, static_cast<std::size_t>(count));
+  }
+}
+
+}  // namespace stereo_sgmp
+
+#endif  // STEREO_SGMP_COST_MATCH_SPAN_H_

@@ -1,0 +1,78 @@
+#include "cost/mixed_cost.h"
+
+#include <algorithm>
+#include <array>
+
+#include "cost/census_transform.h"
+#include "cost/mixed_cost_kernel.h"
+
+namespace stereo_sgmp {
+namespace {
+
+constexpr double kAdLimit = 30.0;
+
+using GrayTable = std::array<std::uint8_t, 256>;
+
+// gray -> weight (gain gray + offset). With both images weighted, their differences are too.
+GrayTable WeightedGrays(double gain, double offset, double weight) {
+  GrayTable table;
+  for (std::size_t gray = 0; gray < table.size(); ++gray) {
+    const double mapped = std::clamp(gain * static_cast<double>(gray) + offset, 0.0, 255.0);
+    table[gray] = cv::saturate_cast<std::uint8_t>(weight * mapped);
+  }
+  return table;
+}
+
+void GrayFeatures(const PaddedGray& image, const GrayTable& table, int y, FeaturePlanes* planes) {
+  const std::uint8_t* row = image.Row(y);
+  std::uint8_t* gray = planes->Plane(MixedFeatures::kGray, y);
+  for (int x = 0; x < image.width(); ++x) gray[x] = table[row[x]];
+}
+
+void GradientFeatures(const PaddedGray& image, int y, FeaturePlanes* planes) {
+  // Towards larger x of the scene, whichever way the row runs.
+  const int step = image.orientation() == Orientation::kMirrored ? -1 : 1;
+  const std::uint8_t* row = image.Row(y);
+  SaturatedDifferences(row + step, row - step, image.width(),
+                       planes->Plane(MixedFeatures::kGradientX, y));
+  SaturatedDifferences(image.Row(y + 1), image.Row(y - 1), image.width(),
+                       planes->Plane(MixedFeatures::kGradientY, y));
+}
+
+void Features(const PaddedGray& image, const GrayTable& table, int y, FeaturePlanes* planes) {
+  CensusTransformRow(image, MixedFeatures::kCensus, y, planes);
+  GrayFeatures(image, table, y, planes);
+  GradientFeatures(image, y, planes);
+}
+
+}  // namespace
+
+void MixedCost::Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape,
+                        const RadiometricFit& fit, ThreadPool* pool) {
+  shape_ = shape;
+  ad_limit_ = cv::saturate_cast<std::uint8_t>(kAdLimit * fit.ad_weight);
+  left_image_.Assign(left, Orientation::kNatural);
+  right_image_.Assign(right, Orientation::kMirrored);
+  left_.Create(MixedFeatures::kPlanes, shape.width, shape.height);
+  right_.Create(MixedFeatures::kPlanes, shape.width, shape.height);
+  const GrayTable left_table = WeightedGrays(1.0, 0.0, fit.ad_weight);
+  const GrayTable right_table = WeightedGrays(fit.gain, fit.offset, fit.ad_weight);
+  pool->ForRanges(shape.height, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      Features(left_image_, left_table, y, &left_);
+      Features(right_image_, right_table, y, &right_);
+    }
+  });
+}
+
+const std::uint8_t* MixedCost::Row(int y, int x_begin, int x_end, std::uint8_t* scratch) const {
+  MixedCostRow(left_.Row(y), right_.Row(y), shape_, ad_limit_, x_begin, x_end, scratch);
+  return scratch;
+}
+
+std::size_t MixedCost::Memory(const VolumeShape& shape) {
+  return 2 * (FeaturePlanes::Bytes(MixedFeatures::kPlanes, shape.width, shape.height) +
+              PaddedGray::Bytes(shape.width, shape.height));
+}
+
+}  // namespace stereo_sgmp

@@ -1,0 +1,46 @@
+#ifndef STEREO_SGMP_COST_MIXED_COST_H_
+#define STEREO_SGMP_COST_MIXED_COST_H_
+
+#include <cstddef>
+#include <cstdint>
+
+#include <opencv2/core.hpp>
+
+#include "common/thread_pool.h"
+#include "cost/cost_rows.h"
+#include "cost/feature_planes.h"
+#include "cost/padded_gray.h"
+#include "cost/radiometric_fit.h"
+
+namespace stereo_sgmp {
+
+// Census, absolute difference and gradient in one cost:
+//   C(d) = min(255, 7 h + floor(h / 4) + w min(30, |I_l - I_r'|)
+//                   + 10 min(10, |dx I_l - dx I_r| + |dy I_l - dy I_r|)).
+// h: Hamming distance of 7x5 census transforms, which bear any change of exposure.
+// I_r' = gain I_r + offset and w = ad_weight: the radiometric fit.
+// dx I = I(x + 1, y) - I(x - 1, y), likewise dy, saturated to -128..127.
+// Matches outside the right image cost MixedFeatures::kOutsideCost. Computed when asked for.
+class MixedCost final : public CostRows {
+ public:
+  // Images: CV_8UC1 of the size of the shape.
+  void Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape,
+               const RadiometricFit& fit, ThreadPool* pool);
+
+  const VolumeShape& shape() const override { return shape_; }
+  const std::uint8_t* Row(int y, int x_begin, int x_end, std::uint8_t* scratch) const override;
+
+  static std::size_t Memory(const VolumeShape& shape);
+
+ private:
+  VolumeShape shape_;
+  std::uint8_t ad_limit_ = 0;
+  PaddedGray left_image_;
+  PaddedGray right_image_;
+  FeaturePlanes left_;
+  FeaturePlanes right_;
+};
+
+}  // namespace stereo_sgmp
+
+#endif  // STEREO_SGMP_COST_MIXED_COST_H_

@@ -1,0 +1,113 @@
+// Counting the bits of bytes is one instruction from this target on.
+#ifndef HWY_WANT_AVX3_DL
+#define HWY_WANT_AVX3_DL
+#endif
+
+#include "cost/mixed_cost_kernel.h"
+
+#include "cost/match_span.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "cost/mixed_cost_kernel.cc"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "cost/hamming-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace stereo_sgmp {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D8 = hn::CappedTag<std::uint8_t, VolumeShape::kPadding>;
+using V8 = hn::Vec<D8>;
+
+void SaturatedDifferencesOfRow(const std::uint8_t* after, const std::uint8_t* before, int width,
+                               std::uint8_t* differences) {
+  const D8 d;
+  const hn::RebindToSigned<D8> ds;
+  const V8 sign = hn::Set(d, std::uint8_t{0x80});
+  for (int x = 0; x < width; x += static_cast<int>(hn::Lanes(d))) {
+    // The sign bit flipped, both keep their difference as signed numbers.
+    const auto a = hn::BitCast(ds, hn::Xor(hn::LoadU(d, after + x), sign));
+    const auto b = hn::BitCast(ds, hn::Xor(hn::LoadU(d, before + x), sign));
+    hn::StoreU(hn::Xor(hn::BitCast(d, hn::SaturatedSub(a, b)), sign), d, differences + x);
+  }
+}
+
+HWY_INLINE V8 AbsoluteDifference(V8 a, V8 b) {
+  return hn::Or(hn::SaturatedSub(a, b), hn::SaturatedSub(b, a));
+}
+
+// min(255, 7 h + floor(h / 4) + ad + 10 g) for h <= 34, ad <= 30, g <= 10 in bytes, as
+// u + (u + ad - ceil(3 h / 4)) with u = 4 (h + g) + g <= 186: only the last sum can exceed 255.
+HWY_INLINE V8 SumOfTerms(D8 d, V8 h, V8 ad, V8 g) {
+  const V8 t = hn::Add(h, g);
+  const V8 t2 = hn::Add(t, t);
+  const V8 u = hn::Add(hn::Add(t2, t2), g);
+  // Two averages, which round up: ceil((ceil(h / 2) + h) / 2) = ceil(3 h / 4).
+  const V8 three_quarters = hn::AverageRound(hn::AverageRound(h, hn::Zero(d)), h);
+  return hn::SaturatedAdd(u, hn::Add(u, hn::Sub(ad, three_quarters)));
+}
+
+// Costs of one left pixel at the disparity indices [begin, end), rounded out to whole vectors.
+// `right` stands at the column that index 0 matches.
+void MixedCostPixel(FeatureRow left, FeatureRow right, std::uint8_t ad_limit, MatchSpan span,
+                    std::uint8_t* costs) {
+  using F = MixedFeatures;
+  const D8 d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  // Copied, because stores to `costs` could change *left for all the compiler knows.
+  std::uint8_t census[F::kCensus.Bytes()];
+  for (int i = 0; i < F::kCensus.Bytes(); ++i) census[i] = left.first[i * left.distance];
+  const V8 gray = hn::Set(d, left.first[F::kGray * left.distance]);
+  const V8 gradient_x = hn::Set(d, left.first[F::kGradientX * left.distance]);
+  const V8 gradient_y = hn::Set(d, left.first[F::kGradientY * left.distance]);
+  const V8 limit = hn::Set(d, ad_limit);
+  const V8 gradient_limit = hn::Set(d, std::uint8_t{10});
+  for (int k = span.begin / lanes * lanes; k < span.end; k += lanes) {
+    const std::uint8_t* match = right.first + k;
+    const V8 h = HammingDistance(d, census, match, right.distance);
+    const V8 ad = AbsoluteDifference(gray, hn::LoadU(d, match + F::kGray * right.distance));
+    const V8 dx =
+        AbsoluteDifference(gradient_x, hn::LoadU(d, match + F::kGradientX * right.distance));
+    const V8 dy =
+        AbsoluteDifference(gradient_y, hn::LoadU(d, match + F::kGradientY * right.distance));
+    const V8 gradient = hn::Min(hn::SaturatedAdd(dx, dy), gradient_limit);
+    hn::Store(SumOfTerms(d, h, hn::Min(ad, limit), gradient), d, costs + k);
+  }
+}
+
+void MixedCostStretch(FeatureRow left, FeatureRow right, const VolumeShape& shape,
+                      std::uint8_t ad_limit, int x_begin, int x_end, std::uint8_t* costs) {
+  for (int x = x_begin; x < x_end; ++x, costs += shape.Stride()) {
+    const MatchSpan inside = InsideSpan(shape, x);
+    MixedCostPixel({left.first + x, left.distance},
+                   {right.first + MirroredColumn(shape, x), right.distance}, ad_limit, inside,
+                   costs);
+    FillOutside(shape, inside, MixedFeatures::kOutsideCost, costs);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace stereo_sgmp
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace stereo_sgmp {
+
+HWY_EXPORT(SaturatedDifferencesOfRow);
+HWY_EXPORT(MixedCostStretch);
+
+void SaturatedDifferences(const std::uint8_t* after, const std::uint8_t* before, int width,
+                          std::uint8_t* differences) {
+  HWY_DYNAMIC_DISPATCH(SaturatedDifferencesOfRow)(after, before, width, differences);
+}
+
+void MixedCostRow(FeatureRow left, FeatureRow right, const VolumeShape& shape,
+                  std::uint8_t ad_limit, int x_begin, int x_end, std::uint8_t* costs) {
+  HWY_DYNAMIC_DISPATCH(MixedCostStretch)(left, right, shape, ad_limit, x_begin, x_end, costs);
+}
+
+}  // namespace stereo_sgmp
+#endif  // HWY_ONCE

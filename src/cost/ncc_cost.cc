@@ -1,0 +1,40 @@
+#include "cost/ncc_cost.h"
+
+#include <algorithm>
+
+#include "cost/ncc_cost_kernel.h"
+
+namespace stereo_sgmp {
+namespace {
+
+// Two flat patches have NCC 0 for any epsilon above 0; this keeps 0 / 0 out for epsilon = 0.
+constexpr float kSmallestEpsilon = 1e-6F;
+
+}  // namespace
+
+void NccCost::Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape,
+                      double epsilon, bool vertical_tolerance, ThreadPool* pool) {
+  left_image_.Assign(left, Orientation::kNatural);
+  right_image_.Assign(right, Orientation::kMirrored);
+  left_.Compute(left_image_, pool);
+  right_.Compute(right_image_, pool);
+  const float used_epsilon = std::max(static_cast<float>(epsilon), kSmallestEpsilon);
+  const int tolerance = vertical_tolerance ? 1 : 0;
+  const auto fill_row = [&](int y, std::uint8_t* costs) {
+    NccRows rows;
+    rows.left = &left_;
+    rows.right = &right_;
+    rows.left_y = y;
+    rows.right_first = std::max(y - tolerance, 0);
+    rows.right_count = std::min(y + tolerance, shape.height - 1) - rows.right_first + 1;
+    NccCostRow(rows, shape, used_epsilon, costs);
+  };
+  volume_.Fill(shape, fill_row, pool);
+}
+
+std::size_t NccCost::Memory(const VolumeShape& shape) {
+  return shape.PaddedSize() + 2 * (PatchStatistics::Bytes(shape.width, shape.height) +
+                                   PaddedGray::Bytes(shape.width, shape.height));
+}
+
+}  // namespace stereo_sgmp

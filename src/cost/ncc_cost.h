@@ -1,0 +1,46 @@
+#ifndef STEREO_SGMP_COST_NCC_COST_H_
+#define STEREO_SGMP_COST_NCC_COST_H_
+
+#include <cstddef>
+#include <cstdint>
+
+#include <opencv2/core.hpp>
+
+#include "common/thread_pool.h"
+#include "cost/cost_rows.h"
+#include "cost/cost_volume.h"
+#include "cost/padded_gray.h"
+#include "cost/patch_statistics.h"
+
+namespace stereo_sgmp {
+
+// Truncated normalised cross correlation (the paper's C_p(d)):
+//   C = round(255 (1 - max(0, NCC))),
+//   NCC = sum (l - mean l)(r - mean r) / (sqrt(sum (l - mean l)^2 sum (r - mean r)^2) + epsilon)
+// over 5x5 patches of gray levels 0..255. With vertical tolerance C is the minimum over the right
+// rows y - 1, y and y + 1 inside the image. Matches outside the right image cost 255.
+// Sums are exact and the few float operations have one order: the same bits on every machine.
+class NccCost final : public CostRows {
+ public:
+  // Computes the whole volume. Images: CV_8UC1 of the size of the shape. epsilon >= 0.
+  void Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape, double epsilon,
+               bool vertical_tolerance, ThreadPool* pool);
+
+  const VolumeShape& shape() const override { return volume_.shape(); }
+  const std::uint8_t* Row(int y, int x_begin, int x_end, std::uint8_t* scratch) const override {
+    return volume_.Row(y, x_begin, x_end, scratch);
+  }
+
+  static std::size_t Memory(const VolumeShape& shape);
+
+ private:
+  PaddedGray left_image_;
+  PaddedGray right_image_;
+  PatchStatistics left_;
+  PatchStatistics right_;
+  StoredCost volume_;
+};
+
+}  // namespace stereo_sgmp
+
+#endif  // STEREO_SGMP_COST_NCC_COST_H_

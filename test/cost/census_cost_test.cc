@@ -1,0 +1,56 @@
+#include "cost/census_cost.h"
+
+#include <gtest/gtest.h>
+
+#include "cost_test_util.h"
+
+namespace stereo_sgmp {
+namespace {
+
+struct Window {
+  CensusWindow window;
+  int radius_x;
+  int radius_y;
+  int scale;
+  int outside;
+};
+
+class CensusCostTest : public testing::TestWithParam<Window> {};
+
+TEST_P(CensusCostTest, EqualsScalarReferenceOnAllTargets) {
+  const Window& window = GetParam();
+  ThreadPool pool(2);
+  CensusCost cost;
+  for (const VolumeShape& shape : AwkwardShapes()) {
+    const cv::Mat left = RandomGray(shape.width, shape.height, 1);
+    const cv::Mat right = RandomGray(shape.width, shape.height, 2);
+    ForEachTarget([&] {
+      cost.Prepare(left, right, shape, window.window, &pool);
+      ExpectCosts(cost, [&](int x, int y, int match) {
+        if (match < 0 || match >= shape.width) return window.outside;
+        return window.scale *
+               ReferenceHamming(left, right, window.radius_x, window.radius_y, x, y, match);
+      });
+    });
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Windows, CensusCostTest,
+                         testing::Values(Window{CensusWindow::k5x5, 2, 2, 10, 120},
+                                         Window{CensusWindow::k9x7, 4, 3, 4, 124}));
+
+TEST(CensusCostTest, BearsAnyRisingMapOfTheGrayLevels) {
+  const VolumeShape shape{50, 20, 16, 0};
+  cv::Mat left = RandomGray(shape.width, shape.height, 3) / 2;
+  const cv::Mat brighter = left * 2 + 1;
+  ThreadPool pool(1);
+  CensusCost cost;
+  cost.Prepare(left, brighter, shape, CensusWindow::k9x7, &pool);
+  AlignedBuffer<std::uint8_t> scratch;
+  scratch.Resize(static_cast<std::size_t>(shape.width * shape.Stride()));
+  const std::uint8_t* row = cost.Row(9, 0, shape.width, scratch.data());
+  for (int x = 0; x < shape.width; ++x) EXPECT_EQ(row[x * shape.Stride()], 0);
+}
+
+}  // namespace
+}  // namespace stereo_sgmp

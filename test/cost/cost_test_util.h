@@ -1,0 +1,109 @@
+#ifndef STEREO_SGMP_TEST_COST_COST_TEST_UTIL_H_
+#define STEREO_SGMP_TEST_COST_COST_TEST_UTIL_H_
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+#include <opencv2/core.hpp>
+
+#include "common/aligned_buffer.h"
+#include "cost/cost_rows.h"
+
+namespace stereo_sgmp {
+
+// Sizes around the ends of vectors, disparity counts around their padding, and ranges that lie
+// partly or wholly outside the image.
+inline std::vector<VolumeShape> AwkwardShapes() {
+  const int sizes[][2] = {{1, 1}, {1, 7}, {17, 5}, {65, 9}, {130, 12}};
+  std::vector<VolumeShape> shapes;
+  for (const auto& size : sizes) {
+    for (const int disparities : {1, 2, 31, 64, 65, 200, 300}) {
+      for (const int min_disparity : {0, 7, -9, 500, -500}) {
+        shapes.push_back({size[0], size[1], disparities, min_disparity});
+      }
+    }
+  }
+  return shapes;
+}
+
+inline std::string Describe(const VolumeShape& shape) {
+  return std::to_string(shape.width) + "x" + std::to_string(shape.height) + ", " +
+         std::to_string(shape.disparities) + " disparities from " +
+         std::to_string(shape.min_disparity);
+}
+
+// Noise with flat, dark and bright parts, so that saturation and zero variance occur.
+inline cv::Mat RandomGray(int width, int height, std::uint64_t seed) {
+  cv::RNG rng(seed);
+  cv::Mat image(height, width, CV_8UC1);
+  rng.fill(image, cv::RNG::UNIFORM, -100, 356);
+  image.colRange(width / 2, width / 2 + width / 8).setTo(77);
+  return image;
+}
+
+// Runs `test` once with each SIMD target this machine has as the only one.
+inline void ForEachTarget(const std::function<void()>& test) {
+  const std::int64_t all = hwy::SupportedTargets();
+  for (std::int64_t rest = all; rest != 0; rest &= rest - 1) {
+    const std::int64_t target = rest & -rest;
+    SCOPED_TRACE(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    test();
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+// Reference cost of pixel (x, y) matched with column x - d of the right image, which may lie
+// outside of it.
+using ReferenceCost = std::function<int(int x, int y, int match)>;
+
+// Compares all costs with the reference, asking for them in stretches of several lengths.
+inline void ExpectCosts(const CostRows& costs, const ReferenceCost& reference) {
+  const VolumeShape& shape = costs.shape();
+  AlignedBuffer<std::uint8_t> scratch;
+  for (int y = 0; y < shape.height; ++y) {
+    const int length = 1 + (y * 13) % 40;
+    for (int begin = 0; begin < shape.width; begin += length) {
+      const int end = std::min(begin + length, shape.width);
+      scratch.Resize(static_cast<std::size_t>((end - begin) * shape.Stride()));
+      const std::uint8_t* row = costs.Row(y, begin, end, scratch.data());
+      for (int x = begin; x < end; ++x) {
+        for (int k = 0; k < shape.disparities; ++k) {
+          ASSERT_EQ(row[(x - begin) * shape.Stride() + k],
+                    reference(x, y, x - shape.min_disparity - k))
+              << Describe(shape) << " at x " << x << ", y " << y << ", index " << k;
+        }
+      }
+    }
+  }
+}
+
+// The pixel, or the nearest one of the image.
+inline int Clamped(const cv::Mat& image, int x, int y) {
+  return image.at<std::uint8_t>(std::clamp(y, 0, image.rows - 1), std::clamp(x, 0, image.cols - 1));
+}
+
+// Hamming distance of the census windows around (x, y) and (match, y).
+inline int ReferenceHamming(const cv::Mat& left, const cv::Mat& right, int radius_x, int radius_y,
+                            int x, int y, int match) {
+  int distance = 0;
+  for (int dy = -radius_y; dy <= radius_y; ++dy) {
+    for (int dx = -radius_x; dx <= radius_x; ++dx) {
+      const bool l = Clamped(left, x + dx, y + dy) > Clamped(left, x, y);
+      const bool r = Clamped(right, match + dx, y + dy) > Clamped(right, match, y);
+      if (l != r) ++distance;
+    }
+  }
+  return distance;
+}
+
+}  // namespace stereo_sgmp
+
+#endif  // STEREO_SGMP_TEST_COST_COST_TEST_UTIL_H_

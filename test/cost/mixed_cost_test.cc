@@ -1,0 +1,95 @@
+#include "cost/mixed_cost.h"
+
+#include <cmath>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
+
+#include "cost_test_util.h"
+
+namespace stereo_sgmp {
+namespace {
+
+int Weighted(double gray, double weight) {
+  return cv::saturate_cast<std::uint8_t>(weight * std::clamp(gray, 0.0, 255.0));
+}
+
+int GradientDifference(const cv::Mat& left, const cv::Mat& right, int x, int y, int match, int dx,
+                       int dy) {
+  const auto gradient = [&](const cv::Mat& image, int column) {
+    const int difference =
+        Clamped(image, column + dx, y + dy) - Clamped(image, column - dx, y - dy);
+    return std::clamp(difference, -128, 127);
+  };
+  return std::abs(gradient(left, x) - gradient(right, match));
+}
+
+ReferenceCost Reference(const cv::Mat& left, const cv::Mat& right, const RadiometricFit& fit) {
+  return [=](int x, int y, int match) {
+    if (match < 0 || match >= right.cols) return 188;
+    const int h = ReferenceHamming(left, right, 3, 2, x, y, match);
+    const int l = Weighted(Clamped(left, x, y), fit.ad_weight);
+    const int r = Weighted(fit.gain * Clamped(right, match, y) + fit.offset, fit.ad_weight);
+    const int limit = static_cast<int>(std::lrint(30.0 * fit.ad_weight));
+    const int gradient = GradientDifference(left, right, x, y, match, 1, 0) +
+                         GradientDifference(left, right, x, y, match, 0, 1);
+    return std::min(
+        255, 7 * h + (h >> 2) + std::min(limit, std::abs(l - r)) + 10 * std::min(10, gradient));
+  };
+}
+
+TEST(MixedCostTest, EqualsScalarReferenceOnAllTargets) {
+  ThreadPool pool(2);
+  MixedCost cost;
+  for (const VolumeShape& shape : AwkwardShapes()) {
+    const cv::Mat left = RandomGray(shape.width, shape.height, 1);
+    const cv::Mat right = RandomGray(shape.width, shape.height, 2);
+    ForEachTarget([&] {
+      cost.Prepare(left, right, shape, RadiometricFit(), &pool);
+      ExpectCosts(cost, Reference(left, right, RadiometricFit()));
+    });
+  }
+}
+
+TEST(MixedCostTest, SmoothImagesReachTheLowCosts) {
+  const VolumeShape shape{70, 20, 40, -3};
+  cv::Mat left = RandomGray(shape.width, shape.height, 3);
+  cv::GaussianBlur(left, left, cv::Size(), 4.0);
+  cv::Mat right = RandomGray(shape.width, shape.height, 4);
+  cv::GaussianBlur(right, right, cv::Size(), 4.0);
+  ThreadPool pool(1);
+  MixedCost cost;
+  ForEachTarget([&] {
+    cost.Prepare(left, right, shape, RadiometricFit(), &pool);
+    ExpectCosts(cost, Reference(left, right, RadiometricFit()));
+  });
+}
+
+TEST(MixedCostTest, AppliesGainOffsetAndWeightToTheAbsoluteDifference) {
+  const VolumeShape shape{70, 9, 33, 0};
+  const cv::Mat left = RandomGray(shape.width, shape.height, 5);
+  const cv::Mat right = RandomGray(shape.width, shape.height, 6);
+  ThreadPool pool(2);
+  MixedCost cost;
+  for (const RadiometricFit& fit :
+       {RadiometricFit{1.3, -20.0, 1.0}, RadiometricFit{0.7, 12.5, 0.4}, {1.0, 0.0, 0.0}}) {
+    cost.Prepare(left, right, shape, fit, &pool);
+    ExpectCosts(cost, Reference(left, right, fit));
+  }
+}
+
+TEST(MixedCostTest, SamePixelCostsNothing) {
+  const VolumeShape shape{40, 8, 16, 0};
+  const cv::Mat image = RandomGray(shape.width, shape.height, 7);
+  ThreadPool pool(1);
+  MixedCost cost;
+  cost.Prepare(image, image, shape, RadiometricFit(), &pool);
+  AlignedBuffer<std::uint8_t> scratch;
+  scratch.Resize(static_cast<std::size_t>(shape.width * shape.Stride()));
+  const std::uint8_t* row = cost.Row(3, 0, shape.width, scratch.data());
+  for (int x = 0; x < shape.width; ++x) EXPECT_EQ(row[x * shape.Stride()], 0);
+}
+
+}  // namespace
+}  // namespace stereo_sgmp
