@@ -1,0 +1,38 @@
+// Plane hypotheses that overlap: SGM-EPv of the paper.
+#ifndef STEREO_SGMP_PRIOR_CONVEX_HULLS_H_
+#define STEREO_SGMP_PRIOR_CONVEX_HULLS_H_
+
+#include <cstdint>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+#include "prior/plane_hypotheses.h"
+#include "prior/plane_sets.h"
+
+namespace stereo_sgmp {
+
+// Bounds every plane by the convex hull of its label pixels. Pixels inside several hulls hold
+// several planes, at most PlaneSet::kMaxPlanes, those of the largest area. Keeps its buffers.
+class ConvexHulls {
+ public:
+  void Build(const PlaneMap& map);
+
+  // At the resolution of the labels.
+  const PlaneSets& sets() const { return sets_; }
+
+ private:
+  void CollectOutlines(const PlaneMap& map);
+  void Paint(std::int16_t plane);
+  std::uint16_t WithPlane(std::uint16_t set, std::int16_t plane);
+
+  std::vector<std::vector<cv::Point>> outlines_;  // ends of each row of a label, per plane
+  std::vector<cv::Point> hull_;
+  cv::Mat inside_;
+  std::vector<std::uint16_t> extended_;  // per set: it with the current plane; 0 = not yet made
+  PlaneSets sets_;
+};
+
+}  // namespace stereo_sgmp
+
+#endif  // STEREO_SGMP_PRIOR_CONVEX_HULLS_H_

@@ -1,0 +1,95 @@
+#include "prior/estimated_prior.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace stereo_sgmp {
+namespace {
+
+// Weight of distance against colour (8-bit CIELAB) in superpixels: high enough that they stay
+// compact where the image has little texture, which is where the prior is needed.
+constexpr double kCompactness = 20.0;
+
+// One set per plane, so that a label is a set.
+void SetsOfLabels(const cv::Mat& labels, std::size_t planes, PlaneSets* sets) {
+  sets->sets.assign(planes + 1, PlaneSet());
+  for (std::size_t i = 0; i < planes; ++i) {
+    sets->sets[i + 1].count = 1;
+    sets->sets[i + 1].planes[0] = static_cast<std::int16_t>(i);
+  }
+  labels.convertTo(sets->ids, CV_16U, 1.0, 1.0);
+}
+
+}  // namespace
+
+const OrientationPrior* EstimatedPrior::Estimate(const PriorOptions& options,
+                                                 const CoarseDisparity& coarse,
+                                                 const cv::Mat& coarse_left,
+                                                 const VolumeShape& full, ThreadPool* threads) {
+  report_.planes.clear();
+  if (options.variant == Variant::kSgm) {
+    report_.labels.release();
+    return nullptr;
+  }
+  hypotheses_.Find(coarse, options.min_plane_area, threads);
+  ScaleUp(CoarseScale::Between({full.width, full.height}, coarse.disparity.size()));
+  const PlaneSets& sets = options.variant == Variant::kEpi
+                              ? SpreadOverSuperpixels(options, coarse_left, threads)
+                              : SpreadOverHulls(coarse.disparity);
+  if (full_planes_.empty()) return nullptr;
+  prior_.Assign(full_planes_, sets, full, options.jump_policy);
+  return &prior_;
+}
+
+void EstimatedPrior::ScaleUp(const CoarseScale& scale) {
+  full_planes_.clear();
+  for (const CoarsePlane& coarse : hypotheses_.map().planes) {
+    full_planes_.push_back(scale.ToFull(coarse.plane));
+    report_.planes.push_back({full_planes_.back(), coarse.area, coarse.rms * scale.x});
+  }
+}
+
+const PlaneSets& EstimatedPrior::SpreadOverSuperpixels(const PriorOptions& options,
+                                                       const cv::Mat& coarse_left,
+                                                       ThreadPool* threads) {
+  superpixels_.Segment(coarse_left, options.superpixel_size, kCompactness, threads);
+  modal_.Assign(hypotheses_.map(), superpixels_, options.min_support);
+  modal_.labels().copyTo(report_.labels);
+  SetsOfLabels(modal_.labels(), full_planes_.size(), &modal_sets_);
+  return modal_sets_;
+}
+
+const PlaneSets& EstimatedPrior::SpreadOverHulls(const cv::Mat& disparity) {
+  hulls_.Build(hypotheses_.map());
+  LabelNearest(disparity);
+  return hulls_.sets();
+}
+
+// Of the planes that hold at a pixel the one nearest to its coarse disparity.
+void EstimatedPrior::LabelNearest(const cv::Mat& disparity) {
+  const PlaneSets& sets = hulls_.sets();
+  report_.labels.create(disparity.size(), CV_16SC1);
+  for (int y = 0; y < disparity.rows; ++y) {
+    const float* d = disparity.ptr<float>(y);
+    const std::uint16_t* ids = sets.ids.ptr<std::uint16_t>(y);
+    std::int16_t* labels = report_.labels.ptr<std::int16_t>(y);
+    for (int x = 0; x < disparity.cols; ++x) {
+      const PlaneSet& set = sets.sets[ids[x]];
+      labels[x] = -1;
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 0; k < set.count; ++k) {
+        const std::int16_t plane = set.planes[k];
+        const DisparityPlane& surface =
+            hypotheses_.map().planes[static_cast<std::size_t>(plane)].plane;
+        const double distance = std::abs(surface.At(x, y) - d[x]);
+        if (distance >= nearest) continue;
+        nearest = distance;
+        labels[x] = plane;
+      }
+    }
+  }
+}
+
+}  // namespace stereo_sgmp

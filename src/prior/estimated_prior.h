@@ -1,0 +1,60 @@
+// Plane priors estimated from a coarse disparity map: SGM-EPi and SGM-EPv of the paper.
+#ifndef STEREO_SGMP_PRIOR_ESTIMATED_PRIOR_H_
+#define STEREO_SGMP_PRIOR_ESTIMATED_PRIOR_H_
+
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+#include "common/thread_pool.h"
+#include "cost/cost_rows.h"
+#include "prior/coarse_scale.h"
+#include "prior/convex_hulls.h"
+#include "prior/modal_planes.h"
+#include "prior/orientation_prior.h"
+#include "prior/plane_hypotheses.h"
+#include "prior/plane_set_prior.h"
+#include "prior/superpixels.h"
+#include "stereo_sgmp/match_result.h"
+#include "stereo_sgmp/options.h"
+
+namespace stereo_sgmp {
+
+// The chain from coarse disparities to a prior at full resolution. Keeps its buffers from frame
+// to frame.
+class EstimatedPrior {
+ public:
+  // Finds planes in `coarse` and spreads them as options.variant says. `coarse_left` is the left
+  // image at the size of the coarse maps (CV_8U, 1, 3 or 4 channels; used by kEpi only), `full`
+  // the volume the prior is for. `threads` may be null.
+  //
+  // Returns the prior, which is this object's and holds until the next call, or null where there
+  // is nothing to follow: no plane was found, or the variant is kSgm.
+  // Throws std::invalid_argument where sizes or types don't fit.
+  const OrientationPrior* Estimate(const PriorOptions& options, const CoarseDisparity& coarse,
+                                   const cv::Mat& coarse_left, const VolumeShape& full,
+                                   ThreadPool* threads);
+
+  // What the last Estimate found.
+  const PlanePriors& report() const { return report_; }
+
+ private:
+  const PlaneSets& SpreadOverSuperpixels(const PriorOptions& options, const cv::Mat& coarse_left,
+                                         ThreadPool* threads);
+  const PlaneSets& SpreadOverHulls(const cv::Mat& disparity);
+  void ScaleUp(const CoarseScale& scale);
+  void LabelNearest(const cv::Mat& disparity);
+
+  PlaneHypotheses hypotheses_;
+  Superpixels superpixels_;
+  ModalPlanes modal_;
+  PlaneSets modal_sets_;
+  ConvexHulls hulls_;
+  std::vector<DisparityPlane> full_planes_;
+  PlaneSetPrior prior_;
+  PlanePriors report_;
+};
+
+}  // namespace stereo_sgmp
+
+#endif  // STEREO_SGMP_PRIOR_ESTIMATED_PRIOR_H_

@@ -1,0 +1,51 @@
+// The seam between priors and aggregation: what every producer of a prior ends as.
+#ifndef STEREO_SGMP_PRIOR_ORIENTATION_PRIOR_H_
+#define STEREO_SGMP_PRIOR_ORIENTATION_PRIOR_H_
+
+#include <cstdint>
+#include <vector>
+
+namespace stereo_sgmp {
+
+// One step of a path: from p = q - r to q, with r = (dx, dy).
+struct PathStep {
+  int dx = 0;
+  int dy = 0;
+};
+
+// The predecessor's disparity indices [begin, end) move by `jump`: one Voronoi cell of the
+// surfaces at p and their step j_p(d) from p to q.
+struct JumpSegment {
+  int begin = 0;
+  int end = 0;
+  int jump = 0;
+};
+
+// Jumps for the steps that end at the pixels q of a stretch of one row.
+struct JumpRow {
+  static constexpr std::int16_t kVaries = INT16_MIN;
+
+  // Per pixel: the jump of all disparities, or kVaries where it depends on the disparity.
+  std::vector<std::int16_t> jump;
+  // Per pixel with kVaries: its segments are segments[first_segment[i] ... + segment_count[i]),
+  // in rising order, covering all disparity indices without gap or overlap.
+  std::vector<std::int32_t> first_segment;
+  std::vector<std::int16_t> segment_count;
+  std::vector<JumpSegment> segments;
+};
+
+// A set of disparity surfaces to stay parallel to: none, one or several at each pixel.
+// Implementations are safe to call from several threads.
+class OrientationPrior {
+ public:
+  virtual ~OrientationPrior() = default;
+
+  // Fills `row` with the jumps j_p(d) of the steps to q = (x, y), x in [x_begin, x_end), entry
+  // x - x_begin each; 0 where p lies outside the image or has no surface. Disparity indices
+  // count from min_disparity. Uses the storage of `row` again.
+  virtual void Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* row) const = 0;
+};
+
+}  // namespace stereo_sgmp
+
+#endif  // STEREO_SGMP_PRIOR_ORIENTATION_PRIOR_H_

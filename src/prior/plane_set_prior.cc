@@ -1,0 +1,229 @@
+#include "prior/plane_set_prior.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace stereo_sgmp {
+namespace {
+
+// Which of `cells` cells along `pixels` pixels holds the centre of pixel i.
+int CellOf(int i, int pixels, int cells) {
+  return static_cast<int>((2 * std::int64_t{i} + 1) * cells / (2 * std::int64_t{pixels}));
+}
+
+void CheckSets(const std::vector<DisparityPlane>& planes, const PlaneSets& sets) {
+  if (sets.ids.empty() || sets.ids.type() != CV_16UC1 || sets.sets.empty()) {
+    throw std::invalid_argument(
+        "A plane set prior needs at least the empty set and a CV_16U image of set numbers.");
+  }
+  for (const DisparityPlane& plane : planes) {
+    if (FixedPlane::Holds(plane)) continue;
+    throw std::invalid_argument("The plane d = " + std::to_string(plane.a) + " x + " +
+                                std::to_string(plane.b) + " y + " + std::to_string(plane.c) +
+                                " is too steep or not finite; expected slopes within +-" +
+                                std::to_string(FixedPlane::kMaxSlope) + ".");
+  }
+}
+
+// Segments of one pixel, in rising order; neighbours with equal jumps become one.
+class SegmentWriter {
+ public:
+  SegmentWriter(int entry, int disparities, JumpRow* row)
+      : entry_(static_cast<std::size_t>(entry)),
+        disparities_(disparities),
+        first_(row->segments.size()),
+        row_(*row) {}
+
+  // The disparities up to `end` that aren't written yet move by `jump`.
+  void WriteUpTo(int end, int jump) {
+    end = std::min(end, disparities_);
+    if (end <= written_) return;
+    if (row_.segments.size() > first_ && row_.segments.back().jump == jump) {
+      row_.segments.back().end = end;
+    } else {
+      row_.segments.push_back({written_, end, jump});
+    }
+    written_ = end;
+  }
+
+  // A single segment is a plain jump of the pixel.
+  void Finish() {
+    const std::size_t count = row_.segments.size() - first_;
+    if (count == 1) {
+      row_.jump[entry_] = static_cast<std::int16_t>(row_.segments.back().jump);
+      row_.segments.pop_back();
+      return;
+    }
+    row_.jump[entry_] = JumpRow::kVaries;
+    row_.first_segment[entry_] = static_cast<std::int32_t>(first_);
+    row_.segment_count[entry_] = static_cast<std::int16_t>(count);
+  }
+
+ private:
+  std::size_t entry_;
+  int disparities_;
+  std::size_t first_;
+  int written_ = 0;
+  JumpRow& row_;
+};
+
+}  // namespace
+
+void PlaneSetPrior::Assign(const std::vector<DisparityPlane>& planes, const PlaneSets& sets,
+                           const VolumeShape& shape, JumpPolicy policy) {
+  CheckSets(planes, sets);
+  shape_ = shape;
+  policy_ = policy;
+  sets_.sets = sets.sets;
+  sets.ids.copyTo(sets_.ids);
+  planes_.clear();
+  for (const DisparityPlane& plane : planes) {
+    planes_.emplace_back(DisparityPlane{plane.a, plane.b, plane.c - shape.min_disparity});
+  }
+  MapColumns();
+}
+
+void PlaneSetPrior::MapColumns() {
+  const int columns = sets_.ids.cols;
+  column_of_.resize(static_cast<std::size_t>(shape_.width));
+  column_begin_.assign(static_cast<std::size_t>(columns) + 1, shape_.width);
+  for (int x = shape_.width - 1; x >= 0; --x) {
+    const int column = CellOf(x, shape_.width, columns);
+    column_of_[static_cast<std::size_t>(x)] = column;
+    column_begin_[static_cast<std::size_t>(column)] = x;
+  }
+  // Columns narrower than a pixel may hold none; they begin where the next does.
+  for (std::size_t c = static_cast<std::size_t>(columns); c-- > 0;) {
+    column_begin_[c] = std::min(column_begin_[c], column_begin_[c + 1]);
+  }
+}
+
+void PlaneSetPrior::Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* row) const {
+  const auto count = static_cast<std::size_t>(x_end - x_begin);
+  row->jump.resize(count);
+  row->first_segment.resize(count);
+  row->segment_count.resize(count);
+  row->segments.clear();
+  const int y_p = y - step.dy;
+  // Pixels whose predecessor lies inside.
+  const int inside_begin = std::clamp(step.dx, x_begin, x_end);
+  const int inside_end = std::clamp(shape_.width + step.dx, inside_begin, x_end);
+  std::fill(row->jump.begin(), row->jump.end(), std::int16_t{0});
+  if (y_p < 0 || y_p >= shape_.height) return;
+
+  const std::uint16_t* ids_p = IdsOfRow(y_p);
+  const std::uint16_t* ids_q = IdsOfRow(y);
+  Stretch stretch;
+  stretch.y = y;
+  stretch.step = step;
+  for (int x = inside_begin; x < inside_end; x = stretch.x_end) {
+    const int x_p = x - step.dx;
+    stretch.x_begin = x;
+    stretch.x_end = std::min({inside_end, x + kMaxStretch, RunEnd(ids_p, x_p) + step.dx});
+    if (policy_ == JumpPolicy::kLiteral) {
+      stretch.x_end = std::min(stretch.x_end, RunEnd(ids_q, x));
+    }
+    stretch.entry = x - x_begin;
+    stretch.at_p = &sets_.sets[ids_p[column_of_[static_cast<std::size_t>(x_p)]]];
+    stretch.at_q = &sets_.sets[ids_q[column_of_[static_cast<std::size_t>(x)]]];
+    FillStretch(stretch, row);
+  }
+}
+
+const std::uint16_t* PlaneSetPrior::IdsOfRow(int y) const {
+  return sets_.ids.ptr<std::uint16_t>(CellOf(y, shape_.height, sets_.ids.rows));
+}
+
+// The first pixel column after x with another set.
+int PlaneSetPrior::RunEnd(const std::uint16_t* ids, int x) const {
+  int column = column_of_[static_cast<std::size_t>(x)];
+  const std::uint16_t id = ids[column];
+  do {
+    ++column;
+  } while (column < sets_.ids.cols && ids[column] == id);
+  return column_begin_[static_cast<std::size_t>(column)];
+}
+
+const FixedPlane& PlaneSetPrior::PlaneOf(const PlaneSet& set, int k) const {
+  return planes_[static_cast<std::size_t>(set.planes[static_cast<std::size_t>(k)])];
+}
+
+void PlaneSetPrior::FillStretch(const Stretch& stretch, JumpRow* row) const {
+  const PlaneSet& set = *stretch.at_p;
+  if (set.count == 0) return;
+  const bool same_plane = policy_ == JumpPolicy::kSameSurface || stretch.at_p == stretch.at_q;
+  if (set.count == 1 && same_plane) {
+    PlaneOf(set, 0).Jumps(stretch.x_begin - stretch.step.dx, stretch.y - stretch.step.dy,
+                          stretch.step.dx, stretch.step.dy, stretch.x_end - stretch.x_begin,
+                          shape_.disparities, row->jump.data() + stretch.entry);
+  } else if (policy_ == JumpPolicy::kSameSurface) {
+    FollowPlanes(stretch, row);
+  } else if (stretch.at_q->count > 0) {
+    FollowLabels(stretch, row);
+  }
+}
+
+// Several planes at p, each followed to q.
+void PlaneSetPrior::FollowPlanes(const Stretch& stretch, JumpRow* row) const {
+  const PlaneSet& set = *stretch.at_p;
+  const int count = stretch.x_end - stretch.x_begin;
+  const int x_p = stretch.x_begin - stretch.step.dx;
+  const int y_p = stretch.y - stretch.step.dy;
+  PlaneJumps jumps;
+  std::array<std::uint16_t, kMaxStretch> differ{};
+  for (int k = 0; k < set.count; ++k) {
+    std::int16_t* of_plane = jumps[static_cast<std::size_t>(k)].data();
+    PlaneOf(set, k).Jumps(x_p, y_p, stretch.step.dx, stretch.step.dy, count, shape_.disparities,
+                          of_plane);
+    for (int i = 0; i < count; ++i) {
+      differ[static_cast<std::size_t>(i)] |=
+          static_cast<std::uint16_t>(of_plane[i] ^ jumps[0][static_cast<std::size_t>(i)]);
+    }
+  }
+  for (int i = 0; i < count; ++i) {
+    const auto pixel = static_cast<std::size_t>(i);
+    if (differ[pixel] == 0) {
+      row->jump[static_cast<std::size_t>(stretch.entry + i)] = jumps[0][pixel];
+      continue;
+    }
+    const SurfaceColumn column = ColumnAt(set, x_p + i, y_p);
+    SegmentWriter writer(stretch.entry + i, shape_.disparities, row);
+    for (int cell = 0; cell < column.cells(); ++cell) {
+      const auto surface = static_cast<std::size_t>(column.surface(cell));
+      writer.WriteUpTo(column.CellEnd(cell), jumps[surface][pixel]);
+    }
+    writer.Finish();
+  }
+}
+
+// Each disparity steps from its nearest surface at p to its nearest surface at q: the cells of
+// both columns cut it.
+void PlaneSetPrior::FollowLabels(const Stretch& stretch, JumpRow* row) const {
+  for (int x = stretch.x_begin; x < stretch.x_end; ++x) {
+    const SurfaceColumn p =
+        ColumnAt(*stretch.at_p, x - stretch.step.dx, stretch.y - stretch.step.dy);
+    const SurfaceColumn q = ColumnAt(*stretch.at_q, x, stretch.y);
+    SegmentWriter writer(stretch.entry + x - stretch.x_begin, shape_.disparities, row);
+    for (int i = 0, j = 0; i < p.cells() && j < q.cells();) {
+      const int end_p = p.CellEnd(i);
+      const int end_q = q.CellEnd(j);
+      const int jump = std::clamp(q.value(j) - p.value(i), -shape_.disparities, shape_.disparities);
+      writer.WriteUpTo(std::min(end_p, end_q), jump);
+      if (end_p <= end_q) ++i;
+      if (end_q <= end_p) ++j;
+    }
+    writer.Finish();
+  }
+}
+
+SurfaceColumn PlaneSetPrior::ColumnAt(const PlaneSet& set, int x, int y) const {
+  int values[PlaneSet::kMaxPlanes];
+  for (int k = 0; k < set.count; ++k) values[k] = PlaneOf(set, k).RoundedAt(x, y);
+  SurfaceColumn column;
+  column.Assign(values, set.count);
+  return column;
+}
+
+}  // namespace stereo_sgmp

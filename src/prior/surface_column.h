@@ -1,0 +1,65 @@
+// Disparity surfaces at one pixel: the column (p, d) of the paper's 3D prior (Sec. 3.3).
+#ifndef STEREO_SGMP_PRIOR_SURFACE_COLUMN_H_
+#define STEREO_SGMP_PRIOR_SURFACE_COLUMN_H_
+
+#include <array>
+#include <cstddef>
+#include <limits>
+
+#include "prior/plane_sets.h"
+
+namespace stereo_sgmp {
+
+// The rasterised surfaces S^_k(p) of a pixel in rising order, and the Voronoi cells they cut the
+// disparities into: each disparity belongs to the nearest surface, to the lower one of two at the
+// same distance. Of surfaces that round to one disparity only the first given has a cell.
+class SurfaceColumn {
+ public:
+  static constexpr int kMaxSurfaces = PlaneSet::kMaxPlanes;
+  // Largest |S^| that Assign takes, far outside of any search range.
+  static constexpr int kMaxValue = 1 << 27;
+  static constexpr int kNoEnd = std::numeric_limits<int>::max();
+
+  // `values[k]` is S^_k(p), within +-kMaxValue; `count` <= kMaxSurfaces.
+  void Assign(const int* values, int count) {
+    int keys[kMaxSurfaces];
+    for (int k = 0; k < count; ++k) {
+      // A single number to sort by: the value, then the order given.
+      const int key = values[k] * kMaxSurfaces + k;
+      int i = k;
+      for (; i > 0 && keys[i - 1] > key; --i) keys[i] = keys[i - 1];
+      keys[i] = key;
+    }
+    cells_ = 0;
+    for (int i = 0; i < count; ++i) {
+      const int value = (keys[i] - (keys[i] & (kMaxSurfaces - 1))) / kMaxSurfaces;
+      if (cells_ > 0 && value == value_[Slot(cells_ - 1)]) continue;
+      value_[Slot(cells_)] = value;
+      surface_[Slot(cells_)] = keys[i] & (kMaxSurfaces - 1);
+      ++cells_;
+    }
+  }
+
+  int cells() const { return cells_; }
+  int value(int cell) const { return value_[Slot(cell)]; }
+  int surface(int cell) const { return surface_[Slot(cell)]; }
+
+  // The first disparity that is nearer to the surface of the next cell.
+  int CellEnd(int cell) const {
+    if (cell + 1 == cells_) return kNoEnd;
+    const int sum = value(cell) + value(cell + 1);
+    return (sum >= 0 ? sum / 2 : -((1 - sum) / 2)) + 1;  // floor of the midpoint, plus 1
+  }
+
+ private:
+  static_assert((kMaxSurfaces & (kMaxSurfaces - 1)) == 0, "keys are split by their lowest bits");
+  static std::size_t Slot(int cell) { return static_cast<std::size_t>(cell); }
+
+  int cells_ = 0;
+  std::array<int, kMaxSurfaces> value_{};
+  std::array<int, kMaxSurfaces> surface_{};
+};
+
+}  // namespace stereo_sgmp
+
+#endif  // STEREO_SGMP_PRIOR_SURFACE_COLUMN_H_

@@ -1,0 +1,59 @@
+#include "prior/surface_prior.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace stereo_sgmp {
+namespace {
+
+constexpr std::int16_t kUnknown = INT16_MIN;
+// Far outside of any search range; keeps S^ apart from kUnknown.
+constexpr float kLargest = 32000.0F;
+
+}  // namespace
+
+void SurfacePrior::Assign(const cv::Mat& surface, const VolumeShape& shape) {
+  if (surface.type() != CV_32FC1 || surface.cols != shape.width || surface.rows != shape.height) {
+    throw std::invalid_argument(
+        "The prior surface is " + std::to_string(surface.cols) + "x" +
+        std::to_string(surface.rows) + " of OpenCV type " + std::to_string(surface.type()) +
+        "; expected CV_32F of the image's size, " + std::to_string(shape.width) + "x" +
+        std::to_string(shape.height) + ".");
+  }
+  shape_ = shape;
+  rounded_.create(surface.size());
+  for (int y = 0; y < surface.rows; ++y) {
+    const float* values = surface.ptr<float>(y);
+    std::int16_t* rounded = rounded_[y];
+    for (int x = 0; x < surface.cols; ++x) {
+      const float value = std::clamp(std::floor(values[x] + 0.5F), -kLargest, kLargest);
+      rounded[x] = std::isfinite(values[x]) ? static_cast<std::int16_t>(value) : kUnknown;
+    }
+  }
+}
+
+void SurfacePrior::Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* row) const {
+  row->jump.assign(static_cast<std::size_t>(x_end - x_begin), 0);
+  row->first_segment.resize(row->jump.size());
+  row->segment_count.resize(row->jump.size());
+  row->segments.clear();
+  const int y_p = y - step.dy;
+  if (y_p < 0 || y_p >= shape_.height) return;
+  const std::int16_t* at_p = rounded_[y_p];
+  const std::int16_t* at_q = rounded_[y];
+  const int inside_begin = std::max(x_begin, step.dx);
+  const int inside_end = std::min(x_end, shape_.width + step.dx);
+  const int limit = shape_.disparities;
+  for (int x = inside_begin; x < inside_end; ++x) {
+    const std::int16_t p = at_p[x - step.dx];
+    const std::int16_t q = at_q[x];
+    if (p == kUnknown || q == kUnknown) continue;
+    row->jump[static_cast<std::size_t>(x - x_begin)] =
+        static_cast<std::int16_t>(std::clamp(q - p, -limit, limit));
+  }
+}
+
+}  // namespace stereo_sgmp

@@ -1,0 +1,261 @@
+#include "prior/plane_set_prior.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace stereo_sgmp {
+namespace {
+
+constexpr PathStep kSteps[] = {{1, 0}, {-1, 0},  {0, 1},  {0, -1},
+                               {1, 1}, {-1, -1}, {1, -1}, {-1, 1}};
+
+struct Scene {
+  VolumeShape shape;
+  std::vector<DisparityPlane> planes;
+  PlaneSets sets;
+};
+
+VolumeShape Shape(int width, int height, int disparities, int min_disparity) {
+  VolumeShape shape;
+  shape.width = width;
+  shape.height = height;
+  shape.disparities = disparities;
+  shape.min_disparity = min_disparity;
+  return shape;
+}
+
+// Coefficients are whole numbers of 2^-16, so that doubles hold every value exactly.
+double Coefficient(std::mt19937* random, double limit) {
+  std::uniform_real_distribution<double> value(-limit, limit);
+  return std::round(value(*random) * 65536.0) / 65536.0;
+}
+
+Scene RandomScene(const VolumeShape& shape, cv::Size coarse, int planes, int max_in_set,
+                  unsigned seed) {
+  std::mt19937 random(seed);
+  Scene scene;
+  scene.shape = shape;
+  for (int i = 0; i < planes; ++i) {
+    const double middle = shape.min_disparity + shape.disparities / 2.0;
+    scene.planes.push_back({Coefficient(&random, 1.2), Coefficient(&random, 1.2),
+                            middle + Coefficient(&random, 0.7 * shape.disparities)});
+  }
+  scene.sets.sets.emplace_back();
+  for (int i = 0; i < 12; ++i) {
+    PlaneSet set;
+    set.count = static_cast<std::uint8_t>(
+        1 + static_cast<int>(random() % static_cast<unsigned>(max_in_set)));
+    for (std::size_t k = 0; k < set.count; ++k) {
+      set.planes[k] = static_cast<std::int16_t>(random() % static_cast<unsigned>(planes));
+    }
+    scene.sets.sets.push_back(set);
+  }
+  scene.sets.ids.create(coarse, CV_16UC1);
+  for (int y = 0; y < coarse.height; ++y) {
+    for (int x = 0; x < coarse.width; ++x) {
+      scene.sets.ids.at<std::uint16_t>(y, x) =
+          static_cast<std::uint16_t>(random() % scene.sets.sets.size());
+    }
+  }
+  return scene;
+}
+
+const PlaneSet& SetAt(const Scene& scene, int x, int y) {
+  const cv::Mat& ids = scene.sets.ids;
+  const int column = static_cast<int>((x + 0.5) * ids.cols / scene.shape.width);
+  const int row = static_cast<int>((y + 0.5) * ids.rows / scene.shape.height);
+  return scene.sets.sets[ids.at<std::uint16_t>(row, column)];
+}
+
+int RoundedIndex(const Scene& scene, int plane, int x, int y) {
+  const double value = scene.planes[static_cast<std::size_t>(plane)].At(x, y);
+  return static_cast<int>(std::floor(value + 0.5)) - scene.shape.min_disparity;
+}
+
+// The paper's way: render the surfaces into the column of the pixel, carry them upwards in a
+// forward scan and downwards in a backward scan. The plane for each disparity index; empty
+// where the pixel has none. The column is extended so that it holds surfaces out of range too.
+std::vector<int> ScanColumn(const Scene& scene, int x, int y) {
+  constexpr int kMargin = 4096;
+  const PlaneSet& set = SetAt(scene, x, y);
+  if (set.count == 0) return {};
+  const int size = scene.shape.disparities + 2 * kMargin;
+  std::vector<int> plane(static_cast<std::size_t>(size), -1);
+  std::vector<int> distance(plane.size(), std::numeric_limits<int>::max() / 2);
+  for (int k = set.count - 1; k >= 0; --k) {
+    const int rendered = set.planes[static_cast<std::size_t>(k)];
+    const auto at = static_cast<std::size_t>(RoundedIndex(scene, rendered, x, y) + kMargin);
+    plane[at] = rendered;
+    distance[at] = 0;
+  }
+  for (std::size_t d = 1; d < plane.size(); ++d) {
+    if (distance[d - 1] + 1 < distance[d]) {
+      std::tie(plane[d], distance[d]) = std::make_pair(plane[d - 1], distance[d - 1] + 1);
+    }
+  }
+  for (std::size_t d = plane.size() - 1; d-- > 0;) {
+    if (distance[d + 1] + 1 < distance[d]) {
+      std::tie(plane[d], distance[d]) = std::make_pair(plane[d + 1], distance[d + 1] + 1);
+    }
+  }
+  return {plane.begin() + kMargin, plane.begin() + kMargin + scene.shape.disparities};
+}
+
+std::vector<int> ExpectedJumps(const Scene& scene, JumpPolicy policy, int x, int y, PathStep step) {
+  const int disparities = scene.shape.disparities;
+  std::vector<int> jumps(static_cast<std::size_t>(disparities), 0);
+  const int px = x - step.dx;
+  const int py = y - step.dy;
+  if (px < 0 || py < 0 || px >= scene.shape.width || py >= scene.shape.height) return jumps;
+  const std::vector<int> at_p = ScanColumn(scene, px, py);
+  const std::vector<int> at_q = policy == JumpPolicy::kLiteral ? ScanColumn(scene, x, y) : at_p;
+  if (at_p.empty() || at_q.empty()) return jumps;
+  for (std::size_t d = 0; d < jumps.size(); ++d) {
+    const int jump = RoundedIndex(scene, at_q[d], x, y) - RoundedIndex(scene, at_p[d], px, py);
+    jumps[d] = std::max(-disparities, std::min(disparities, jump));
+  }
+  return jumps;
+}
+
+// The jump of each disparity, after checks that segments are as JumpRow promises.
+std::vector<int> Unpack(const JumpRow& row, std::size_t i, int disparities) {
+  if (row.jump[i] != JumpRow::kVaries) {
+    return std::vector<int>(static_cast<std::size_t>(disparities), row.jump[i]);
+  }
+  std::vector<int> jumps;
+  EXPECT_GE(row.segment_count[i], 2);
+  for (int s = 0; s < row.segment_count[i]; ++s) {
+    const JumpSegment& segment = row.segments[static_cast<std::size_t>(row.first_segment[i] + s)];
+    EXPECT_EQ(segment.begin, static_cast<int>(jumps.size()));
+    EXPECT_GT(segment.end, segment.begin);
+    if (s > 0) {
+      EXPECT_NE(segment.jump, jumps.back());
+    }
+    jumps.resize(static_cast<std::size_t>(segment.end), segment.jump);
+  }
+  EXPECT_EQ(static_cast<int>(jumps.size()), disparities);
+  return jumps;
+}
+
+void ExpectEqualsScan(const Scene& scene, JumpPolicy policy) {
+  PlaneSetPrior prior;
+  prior.Assign(scene.planes, scene.sets, scene.shape, policy);
+  JumpRow row;
+  for (const PathStep step : kSteps) {
+    for (int y = 0; y < scene.shape.height; ++y) {
+      for (int begin = 0; begin < scene.shape.width; begin += 37) {
+        const int end = std::min(scene.shape.width, begin + 37);
+        prior.Jumps(y, begin, end, step, &row);
+        for (int x = begin; x < end; ++x) {
+          ASSERT_EQ(Unpack(row, static_cast<std::size_t>(x - begin), scene.shape.disparities),
+                    ExpectedJumps(scene, policy, x, y, step))
+              << "x " << x << " y " << y << " step " << step.dx << " " << step.dy;
+        }
+      }
+    }
+  }
+}
+
+struct Case {
+  int width, height, disparities, min_disparity;
+  cv::Size coarse;
+  int planes, max_in_set;
+};
+
+class PlaneSetPriorScan : public testing::TestWithParam<Case> {};
+
+TEST_P(PlaneSetPriorScan, EqualsForwardAndBackwardScan) {
+  const Case& c = GetParam();
+  const Scene scene = RandomScene(Shape(c.width, c.height, c.disparities, c.min_disparity),
+                                  c.coarse, c.planes, c.max_in_set, 7);
+  ExpectEqualsScan(scene, JumpPolicy::kSameSurface);
+  ExpectEqualsScan(scene, JumpPolicy::kLiteral);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Sizes, PlaneSetPriorScan,
+    testing::Values(Case{41, 13, 32, 0, {11, 4}, 5, 1}, Case{41, 13, 32, 0, {10, 3}, 6, 3},
+                    Case{75, 5, 70, -20, {19, 2}, 9, 8}, Case{9, 7, 16, 5, {9, 7}, 4, 4},
+                    Case{3, 2, 8, 0, {5, 4}, 3, 2}, Case{1, 1, 4, 0, {1, 1}, 2, 2},
+                    Case{1, 9, 4, 0, {1, 3}, 2, 2}, Case{9, 1, 4, 0, {3, 1}, 2, 2}));
+
+Scene OnePlane(const DisparityPlane& plane) {
+  Scene scene;
+  scene.shape = Shape(130, 6, 64, 0);
+  scene.planes = {plane};
+  scene.sets.sets.resize(2);
+  scene.sets.sets[1].count = 1;
+  scene.sets.ids = cv::Mat(3, 33, CV_16UC1, cv::Scalar(1));
+  return scene;
+}
+
+std::vector<std::int16_t> JumpsOf(const Scene& scene, int y, PathStep step) {
+  PlaneSetPrior prior;
+  prior.Assign(scene.planes, scene.sets, scene.shape, JumpPolicy::kSameSurface);
+  JumpRow row;
+  prior.Jumps(y, 0, scene.shape.width, step, &row);
+  return row.jump;
+}
+
+TEST(PlaneSetPrior, SurfaceOfTwoEqualPlanesIsThatOfOne) {
+  const Scene one = OnePlane({0.3, -0.2, 12.4});
+  Scene twice = one;
+  twice.planes.push_back(one.planes[0]);
+  twice.sets.sets[1] = {2, {0, 1}};
+  EXPECT_EQ(JumpsOf(one, 3, {1, 1}), JumpsOf(twice, 3, {1, 1}));
+}
+
+TEST(PlaneSetPrior, WholeNumberAddedToPlaneChangesNothing) {
+  const Scene scene = OnePlane({0.31415926, -0.2718281, 12.4});
+  Scene moved = scene;
+  moved.planes[0].c += 23.0;
+  for (const PathStep step : kSteps) EXPECT_EQ(JumpsOf(scene, 2, step), JumpsOf(moved, 2, step));
+}
+
+TEST(PlaneSetPrior, OppositeDirectionFlipsSign) {
+  const Scene scene = OnePlane({0.4, 0.1, 3.0});
+  const auto there = JumpsOf(scene, 2, {1, 1});
+  const auto back = JumpsOf(scene, 1, {-1, -1});
+  for (std::size_t x = 1; x < there.size(); ++x) EXPECT_EQ(there[x], -back[x - 1]);
+}
+
+TEST(PlaneSetPrior, PoliciesDifferAtLabelBorderOnly) {
+  Scene scene = OnePlane({0.0, 0.0, 10.0});
+  scene.planes.push_back({0.0, 0.0, 30.0});
+  scene.sets.sets.push_back({1, {1}});
+  scene.sets.ids.colRange(16, 33).setTo(2);
+  PlaneSetPrior prior;
+  JumpRow row;
+  prior.Assign(scene.planes, scene.sets, scene.shape, JumpPolicy::kSameSurface);
+  prior.Jumps(0, 0, 130, {1, 0}, &row);
+  EXPECT_EQ(row.jump, std::vector<std::int16_t>(130, 0));
+  prior.Assign(scene.planes, scene.sets, scene.shape, JumpPolicy::kLiteral);
+  prior.Jumps(0, 0, 130, {1, 0}, &row);
+  EXPECT_EQ(std::count(row.jump.begin(), row.jump.end(), 20), 1);
+  EXPECT_EQ(std::count(row.jump.begin(), row.jump.end(), 0), 129);
+}
+
+TEST(PlaneSetPrior, LimitsSteepJumps) {
+  const Scene scene = OnePlane({500.0, 0.0, 0.0});
+  const auto jumps = JumpsOf(scene, 0, {1, 0});
+  EXPECT_EQ(jumps[5], 64);
+}
+
+TEST(PlaneSetPrior, RefusesPlanesThatAreNotFinite) {
+  Scene scene = OnePlane({std::nan(""), 0.0, 0.0});
+  PlaneSetPrior prior;
+  EXPECT_THROW(prior.Assign(scene.planes, scene.sets, scene.shape, JumpPolicy::kLiteral),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace stereo_sgmp
