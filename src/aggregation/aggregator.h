@@ -1,0 +1,46 @@
+#ifndef STEREO_SGMP_AGGREGATION_AGGREGATOR_H_
+#define STEREO_SGMP_AGGREGATION_AGGREGATOR_H_
+
+#include <cstddef>
+#include <memory>
+
+#include <opencv2/core.hpp>
+
+#include "aggregation/winner_map.h"
+#include "common/thread_pool.h"
+#include "cost/cost_rows.h"
+#include "prior/orientation_prior.h"
+#include "stereo_sgmp/options.h"
+
+namespace stereo_sgmp {
+
+// Semi-global aggregation of matching costs (SGM, Section 3.1), with an orientation prior if
+// there is one (SGM-P, Sections 3.2 and 3.3).
+//
+// Two sweeps of four paths each: the first, from the top left, stores the sum of its path costs;
+// the second, from the bottom right, adds its own and reads the winners off S(p, d). The rows of
+// a sweep are spread over threads as a wavefront, so that the result does not depend on their
+// number. Buffers are kept between calls.
+class Aggregator {
+ public:
+  Aggregator();
+  ~Aggregator();
+  Aggregator(const Aggregator&) = delete;
+  Aggregator& operator=(const Aggregator&) = delete;
+
+  // `guide`: the left image, CV_8UC1 or CV_8UC3, for P2. `prior` may be null. `jump_slack`: see
+  // PriorOptions.
+  void Run(const CostRows& costs, const cv::Mat& guide, const AggregationOptions& options,
+           const OrientationPrior* prior, int jump_slack, ThreadPool* pool, WinnerMap* winners);
+
+  // Bytes held for a volume of this shape.
+  static std::size_t Memory(const VolumeShape& shape, PathScheme scheme, int threads);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace stereo_sgmp
+
+#endif  // STEREO_SGMP_AGGREGATION_AGGREGATOR_H_

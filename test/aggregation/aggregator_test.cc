@@ -1,0 +1,253 @@
+#include "aggregation/aggregator.h"
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <cstring>
+#include <random>
+#include <string>
+#include <utility>
+
+#include "aggregation/reference_aggregation.h"
+
+namespace stereo_sgmp {
+namespace {
+
+// A volume of the reference as a cost source of the library.
+class ReferenceCosts : public CostRows {
+ public:
+  explicit ReferenceCosts(const reference::Volume& volume) : volume_(volume) {}
+  const VolumeShape& shape() const override { return volume_.shape; }
+  const std::uint8_t* Row(int y, int x_begin, int x_end, std::uint8_t* scratch) const override {
+    for (int x = x_begin; x < x_end; ++x) {
+      for (int d = 0; d < volume_.shape.Stride(); ++d) {
+        // What stands in the padding must not matter.
+        const int cost = d < volume_.shape.disparities ? volume_.At(x, y, d) : (d * 7) % 3;
+        scratch[(x - x_begin) * volume_.shape.Stride() + d] = static_cast<std::uint8_t>(cost);
+      }
+    }
+    return scratch;
+  }
+
+ private:
+  const reference::Volume& volume_;
+};
+
+// A prior given as a function.
+class FunctionPrior : public OrientationPrior {
+ public:
+  FunctionPrior(VolumeShape shape, reference::JumpFunction jump)
+      : shape_(shape), jump_(std::move(jump)) {}
+  void Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* row) const override {
+    row->jump.clear();
+    row->first_segment.clear();
+    row->segment_count.clear();
+    row->segments.clear();
+    for (int x = x_begin; x < x_end; ++x) {
+      const auto first = row->segments.size();
+      for (int d = 0; d < shape_.disparities; ++d) {
+        const int j = jump_(x, y, step, d);
+        if (row->segments.size() == first || row->segments.back().jump != j) {
+          row->segments.push_back({d, d, j});
+        }
+        row->segments.back().end = d + 1;
+      }
+      const bool varies = row->segments.size() > first + 1;
+      row->jump.push_back(varies ? JumpRow::kVaries
+                                 : static_cast<std::int16_t>(row->segments.back().jump));
+      row->first_segment.push_back(static_cast<std::int32_t>(first));
+      row->segment_count.push_back(static_cast<std::int16_t>(row->segments.size() - first));
+    }
+  }
+
+ private:
+  VolumeShape shape_;
+  reference::JumpFunction jump_;
+};
+
+struct Case {
+  int width;
+  int height;
+  int disparities;
+  int min_disparity;
+};
+
+reference::Volume RandomVolume(const Case& size, unsigned seed) {
+  std::mt19937 random(seed);
+  reference::Volume volume;
+  volume.shape = {size.width, size.height, size.disparities, size.min_disparity};
+  volume.costs.resize(static_cast<std::size_t>(size.width * size.height * size.disparities));
+  // Few values, so that ties happen.
+  for (std::uint8_t& cost : volume.costs) cost = static_cast<std::uint8_t>(random() % 16 * 17);
+  return volume;
+}
+
+cv::Mat RandomGuide(const Case& size, int type, unsigned seed) {
+  cv::Mat guide(size.height, size.width, type);
+  cv::RNG random(seed);
+  random.fill(guide, cv::RNG::UNIFORM, 0, 40);
+  return guide;
+}
+
+// A hash of place and direction as the jump: some 0, some small, some beyond the padding.
+int SomeJump(int x, int y, PathStep step, int band) {
+  const unsigned hash =
+      static_cast<unsigned>(x * 73 + y * 151 + step.dx * 31 + step.dy * 17 + band * 97 + 100000);
+  const int kinds[] = {0, 1, -1, 3, -5, 0, 40, -70};
+  return kinds[hash / 3 % 8];
+}
+
+void ExpectSame(const cv::Mat_<std::uint16_t>& got, const cv::Mat_<std::uint16_t>& expected,
+                const char* name) {
+  ASSERT_EQ(got.size(), expected.size());
+  for (int y = 0; y < got.rows; ++y) {
+    ASSERT_EQ(0, std::memcmp(got[y], expected[y],
+                             sizeof(std::uint16_t) * static_cast<std::size_t>(got.cols)))
+        << name << " differs in row " << y;
+  }
+}
+
+void ExpectSame(const WinnerMap& got, const WinnerMap& expected) {
+  ExpectSame(got.winner, expected.winner, "winner");
+  ExpectSame(got.cost, expected.cost, "cost");
+  ExpectSame(got.cost_below, expected.cost_below, "cost below");
+  ExpectSame(got.cost_above, expected.cost_above, "cost above");
+  ExpectSame(got.second, expected.second, "second");
+  ExpectSame(got.uncertainty, expected.uncertainty, "uncertainty");
+  ExpectSame(got.right_winner, expected.right_winner, "right winner");
+}
+
+constexpr Case kSizes[] = {{1, 1, 1, 0},    {1, 9, 2, 0},   {7, 1, 5, -2},  {5, 4, 31, 0},
+                           {33, 6, 32, 0},  {40, 9, 33, 3}, {70, 5, 65, 0}, {65, 11, 20, -9},
+                           {31, 8, 64, 40}, {3, 13, 130, 0}};
+
+class AggregatorTest : public ::testing::Test {
+ protected:
+  WinnerMap Run(const reference::Volume& volume, const cv::Mat& guide,
+                const reference::JumpFunction& jump, int slack, int threads) {
+    ThreadPool pool(threads);
+    const ReferenceCosts costs(volume);
+    const FunctionPrior prior(volume.shape, jump);
+    WinnerMap winners;
+    aggregator_.Run(costs, guide, options_, jump ? &prior : nullptr, slack, &pool, &winners);
+    return winners;
+  }
+
+  void ExpectReference(const reference::JumpFunction& jump, int slack) {
+    unsigned seed = 1;
+    for (const Case& size : kSizes) {
+      SCOPED_TRACE(::testing::Message() << size.width << "x" << size.height << "x"
+                                        << size.disparities << " from " << size.min_disparity);
+      const reference::Volume volume = RandomVolume(size, seed);
+      const cv::Mat guide = RandomGuide(size, seed % 2 == 0 ? CV_8UC1 : CV_8UC3, seed);
+      ++seed;
+      const WinnerMap expected = reference::Aggregate(volume, guide, options_, jump, slack);
+      ExpectSame(Run(volume, guide, jump, slack, 1), expected);
+      ExpectSame(Run(volume, guide, jump, slack, 3), expected);
+    }
+  }
+
+  AggregationOptions options_;
+  Aggregator aggregator_;
+};
+
+const reference::JumpFunction kOneJump = [](int x, int y, PathStep step, int) {
+  return SomeJump(x, y, step, 0);
+};
+const reference::JumpFunction kSeveralJumps = [](int x, int y, PathStep step, int d) {
+  return SomeJump(x, y, step, d / 11);
+};
+
+TEST_F(AggregatorTest, EqualsTheFormulasWithoutPrior) { ExpectReference(nullptr, -1); }
+
+TEST_F(AggregatorTest, EqualsTheFormulasWithA2dPrior) {
+  ExpectReference(kOneJump, -1);
+  ExpectReference(kOneJump, 15);
+}
+
+TEST_F(AggregatorTest, EqualsTheFormulasWithA3dPrior) {
+  ExpectReference(kSeveralJumps, -1);
+  ExpectReference(kSeveralJumps, 15);
+}
+
+TEST_F(AggregatorTest, EqualsTheFormulasWithFourPathsTwice) {
+  options_.scheme = PathScheme::kFourTwice;
+  ExpectReference(nullptr, -1);
+  ExpectReference(kSeveralJumps, 15);
+}
+
+TEST_F(AggregatorTest, EverySimdTargetGivesTheSameBits) {
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(target);
+    ExpectReference(kSeveralJumps, 15);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+}
+
+TEST_F(AggregatorTest, JumpsOfZeroChangeNothing) {
+  const Case size{60, 20, 40, 0};
+  const reference::Volume volume = RandomVolume(size, 5);
+  const cv::Mat guide = RandomGuide(size, CV_8UC1, 5);
+  const reference::JumpFunction zero = [](int, int, PathStep, int) { return 0; };
+  ExpectSame(Run(volume, guide, zero, -1, 2), Run(volume, guide, nullptr, -1, 2));
+}
+
+TEST_F(AggregatorTest, MirroringTheVolumeMirrorsTheLeftResult) {
+  const Case size{37, 19, 24, 0};
+  const reference::Volume volume = RandomVolume(size, 6);
+  reference::Volume turned = volume;
+  const auto column = static_cast<std::size_t>(size.disparities);
+  const std::size_t pixels = volume.costs.size() / column;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    std::memcpy(&turned.costs[i * column], &volume.costs[(pixels - 1 - i) * column], column);
+  }
+  const cv::Mat guide = RandomGuide(size, CV_8UC3, 6);
+  cv::Mat turned_guide;
+  cv::flip(guide, turned_guide, -1);
+  const WinnerMap straight = Run(volume, guide, nullptr, -1, 2);
+  const WinnerMap mirrored = Run(turned, turned_guide, nullptr, -1, 2);
+  cv::Mat_<std::uint16_t> back;
+  cv::flip(mirrored.cost, back, -1);
+  ExpectSame(back, straight.cost, "cost");
+  cv::flip(mirrored.uncertainty, back, -1);
+  ExpectSame(back, straight.uncertainty, "uncertainty");
+}
+
+TEST_F(AggregatorTest, ASlantedPlaneIsFreeWithItsOwnSurfaceAsPrior) {
+  // C = 0 along round(S), 200 elsewhere; S has a slope that no constant disparity follows.
+  const Case size{80, 40, 64, 0};
+  const auto surface = [](int x, int y) { return static_cast<int>(0.45 * x + 0.3 * y + 5.5); };
+  reference::Volume volume = RandomVolume(size, 1);
+  for (int y = 0, i = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      for (int d = 0; d < size.disparities; ++d, ++i) {
+        volume.costs[static_cast<std::size_t>(i)] = d == surface(x, y) ? 0 : 200;
+      }
+    }
+  }
+  const reference::JumpFunction follow = [&](int x, int y, PathStep step, int) {
+    return surface(x, y) - surface(x - step.dx, y - step.dy);
+  };
+  const WinnerMap winners = Run(volume, RandomGuide(size, CV_8UC1, 1), follow, -1, 2);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      ASSERT_EQ(winners.winner(y, x), surface(x, y));
+      ASSERT_EQ(winners.cost(y, x), 0);
+      ASSERT_EQ(winners.uncertainty(y, x), 0);
+    }
+  }
+}
+
+TEST_F(AggregatorTest, BuffersOfALargerVolumeServeASmallerOne) {
+  const reference::Volume large = RandomVolume({50, 12, 100, 0}, 8);
+  const Case size{50, 12, 90, 0};  // the same padded size
+  const reference::Volume small = RandomVolume(size, 9);
+  const cv::Mat guide = RandomGuide(size, CV_8UC1, 8);
+  Run(large, guide, kOneJump, -1, 2);
+  ExpectSame(Run(small, guide, kOneJump, -1, 2),
+             reference::Aggregate(small, guide, options_, kOneJump, -1));
+}
+
+}  // namespace
+}  // namespace stereo_sgmp

@@ -1,0 +1,182 @@
+#include "aggregation/reference_aggregation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace stereo_sgmp::reference {
+namespace {
+
+using Costs = std::vector<int>;  // of one pixel, by disparity index
+
+int ContrastOf(const cv::Mat& guide, int x1, int y1, int x2, int y2) {
+  int contrast = 0;
+  const int channels = guide.channels();
+  for (int c = 0; c < channels; ++c) {
+    const int a = guide.ptr(y1)[x1 * channels + c];
+    const int b = guide.ptr(y2)[x2 * channels + c];
+    contrast = std::max(contrast, std::abs(a - b));
+  }
+  return contrast;
+}
+
+// V(d, d'), Eq. 2.
+int V(int d, int other, int p1, int p2) {
+  if (d == other) return 0;
+  return std::abs(d - other) == 1 ? p1 : p2;
+}
+
+struct Sums {
+  std::vector<Costs> s;          // S(p, d)
+  std::vector<int> minimum_sum;  // sum over r of min_d L_r(p, d)
+};
+
+class Aggregation {
+ public:
+  Aggregation(const Volume& volume, const cv::Mat& guide, const AggregationOptions& options,
+              JumpFunction jump, int slack)
+      : volume_(volume), guide_(guide), options_(options), jump_(std::move(jump)), slack_(slack) {}
+
+  Sums Sum(const std::vector<PathStep>& steps) const {
+    const auto pixels = static_cast<std::size_t>(volume_.shape.width * volume_.shape.height);
+    const auto disparities = static_cast<std::size_t>(volume_.shape.disparities);
+    Sums sums{std::vector<Costs>(pixels, Costs(disparities, 0)), std::vector<int>(pixels, 0)};
+    for (const PathStep step : steps) AddPath(step, &sums);
+    return sums;
+  }
+
+ private:
+  void AddPath(PathStep step, Sums* sums) const {
+    const int width = volume_.shape.width;
+    const int height = volume_.shape.height;
+    std::vector<Costs> path(sums->s.size());
+    for (int v = 0; v < height; ++v) {
+      for (int u = 0; u < width; ++u) {
+        const int y = step.dy < 0 ? height - 1 - v : v;
+        const int x = step.dx < 0 ? width - 1 - u : u;
+        const int px = x - step.dx;
+        const int py = y - step.dy;
+        const bool inside = px >= 0 && px < width && py >= 0 && py < height;
+        const auto q = static_cast<std::size_t>(y * width + x);
+        const Costs* predecessor =
+            inside ? &path[static_cast<std::size_t>(py * width + px)] : nullptr;
+        path[q] = PathCosts(x, y, step, predecessor);
+        for (std::size_t d = 0; d < path[q].size(); ++d) sums->s[q][d] += path[q][d];
+        sums->minimum_sum[q] += *std::min_element(path[q].begin(), path[q].end());
+      }
+    }
+  }
+
+  // Eq. 3, less the predecessor's minimum, with V_S(d, d') = V(d + j(d), d') (Eqs. 8 and 12), or
+  // V(d, d') + slack where that is less.
+  Costs PathCosts(int x, int y, PathStep step, const Costs* predecessor) const {
+    const int disparities = volume_.shape.disparities;
+    Costs costs(static_cast<std::size_t>(disparities));
+    int p2 = 0;
+    int minimum = 0;
+    if (predecessor != nullptr) {
+      const int contrast = ContrastOf(guide_, x, y, x - step.dx, y - step.dy);
+      p2 = static_cast<int>(
+          std::lround(options_.p1 * (1.0 + options_.alpha * std::exp(-contrast / options_.beta))));
+      minimum = *std::min_element(predecessor->begin(), predecessor->end());
+    }
+    for (int to = 0; to < disparities; ++to) {
+      int best = 0;
+      if (predecessor != nullptr) {
+        best = std::numeric_limits<int>::max();
+        for (int from = 0; from < disparities; ++from) {
+          const int j = jump_ ? jump_(x, y, step, from) : 0;
+          int smoothness = V(from + j, to, options_.p1, p2);
+          if (slack_ >= 0) smoothness = std::min(smoothness, V(from, to, options_.p1, p2) + slack_);
+          smoothness = std::min(smoothness, p2);
+          best = std::min(best, (*predecessor)[static_cast<std::size_t>(from)] + smoothness);
+        }
+      }
+      costs[static_cast<std::size_t>(to)] = volume_.At(x, y, to) + best - minimum;
+    }
+    return costs;
+  }
+
+  const Volume& volume_;
+  const cv::Mat& guide_;
+  const AggregationOptions& options_;
+  JumpFunction jump_;
+  int slack_;
+};
+
+Volume Sharpen(const Volume& volume, const Sums& sums) {
+  Volume sharpened = volume;
+  const auto disparities = static_cast<std::size_t>(volume.shape.disparities);
+  for (std::size_t pixel = 0; pixel < sums.s.size(); ++pixel) {
+    const Costs& s = sums.s[pixel];
+    const int best = *std::min_element(s.begin(), s.end());
+    for (std::size_t d = 0; d < disparities; ++d) {
+      const int raised = std::min(s[d] - best, 2114) * 31 / 256;
+      const int half = volume.costs[pixel * disparities + d] / 2;
+      sharpened.costs[pixel * disparities + d] =
+          static_cast<std::uint8_t>(std::min(255, half + raised));
+    }
+  }
+  return sharpened;
+}
+
+std::uint16_t CostOrNone(const Costs& s, int d) {
+  if (d < 0 || d >= static_cast<int>(s.size())) return WinnerMap::kNone;
+  return static_cast<std::uint16_t>(s[static_cast<std::size_t>(d)]);
+}
+
+void FindWinners(const Volume& volume, const Sums& sums, WinnerMap* map) {
+  const VolumeShape& shape = volume.shape;
+  map->Create(shape);
+  cv::Mat_<int> right_cost(shape.height, shape.width, std::numeric_limits<int>::max());
+  map->right_winner.setTo(WinnerMap::kNone);
+  for (int y = 0; y < shape.height; ++y) {
+    for (int x = 0; x < shape.width; ++x) {
+      const auto pixel = static_cast<std::size_t>(y * shape.width + x);
+      const Costs& s = sums.s[pixel];
+      const int winner = static_cast<int>(std::min_element(s.begin(), s.end()) - s.begin());
+      int second = WinnerMap::kNone;
+      for (int d = 0; d < shape.disparities; ++d) {
+        if (std::abs(d - winner) > 1) second = std::min(second, s[static_cast<std::size_t>(d)]);
+        const int right_x = x - shape.min_disparity - d;
+        if (right_x < 0 || right_x >= shape.width) continue;
+        int& best = right_cost(y, right_x);
+        // Left pixels come from left to right, that is from small to large disparities.
+        if (s[static_cast<std::size_t>(d)] < best) {
+          best = s[static_cast<std::size_t>(d)];
+          map->right_winner(y, right_x) = static_cast<std::uint16_t>(d);
+        }
+      }
+      map->winner(y, x) = static_cast<std::uint16_t>(winner);
+      map->cost(y, x) = CostOrNone(s, winner);
+      map->cost_below(y, x) = CostOrNone(s, winner - 1);
+      map->cost_above(y, x) = CostOrNone(s, winner + 1);
+      map->second(y, x) = static_cast<std::uint16_t>(second);
+      map->uncertainty(y, x) =
+          static_cast<std::uint16_t>(s[static_cast<std::size_t>(winner)] - sums.minimum_sum[pixel]);
+    }
+  }
+}
+
+}  // namespace
+
+WinnerMap Aggregate(const Volume& volume, const cv::Mat& guide, const AggregationOptions& options,
+                    const JumpFunction& jump, int jump_slack) {
+  const std::vector<PathStep> axes{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  std::vector<PathStep> all = axes;
+  all.insert(all.end(), {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}});
+  WinnerMap map;
+  if (options.scheme == PathScheme::kEight) {
+    const Aggregation aggregation(volume, guide, options, jump, jump_slack);
+    FindWinners(volume, aggregation.Sum(all), &map);
+    return map;
+  }
+  const Aggregation first(volume, guide, options, jump, jump_slack);
+  const Volume sharpened = Sharpen(volume, first.Sum(axes));
+  const Aggregation second(sharpened, guide, options, jump, jump_slack);
+  FindWinners(sharpened, second.Sum(axes), &map);
+  return map;
+}
+
+}  // namespace stereo_sgmp::reference
