@@ -1,0 +1,23 @@
+#ifndef STEREO_SGMP_REFINEMENT_VALIDITY_H_
+#define STEREO_SGMP_REFINEMENT_VALIDITY_H_
+
+#include <opencv2/core.hpp>
+
+#include "aggregation/winner_map.h"
+#include "common/thread_pool.h"
+#include "stereo_sgmp/options.h"
+
+namespace stereo_sgmp {
+
+// Why each winner is to be distrusted: an InvalidReason per pixel, CV_8U, the first that applies
+// of all but kSpeckle. `confidence` is the image that ComputeConfidence makes.
+//
+// Range applies to more than two disparities, as both are ends otherwise. A negative
+// lr_tolerance switches left-right off. Uniqueness asks, as OpenCV's StereoSGBM does, that the
+// best cost be lower than the second best by uniqueness_ratio percent of the latter.
+void FindInvalid(const WinnerMap& map, const cv::Mat& confidence, const FilterOptions& options,
+                 cv::Mat* reason, ThreadPool* pool);
+
+}  // namespace stereo_sgmp
+
+#endif  // STEREO_SGMP_REFINEMENT_VALIDITY_H_
