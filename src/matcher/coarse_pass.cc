@@ -1,0 +1,58 @@
+#include "matcher/coarse_pass.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "refinement/subpixel.h"
+
+namespace stereo_sgmp {
+namespace {
+
+// Pixels of the coarse images of the paper, a quarter of 5 to 6 megapixels each way.
+constexpr double kCoarsePixels = 0.4e6;
+
+int CoarseFactor(int factor, cv::Size full) {
+  if (factor > 0) return factor;
+  const double pixels = static_cast<double>(full.width) * full.height;
+  return std::max(2, static_cast<int>(std::ceil(std::sqrt(pixels / kCoarsePixels))));
+}
+
+int Shrunk(int length, int factor) {
+  return std::max(1, static_cast<int>(std::lround(static_cast<double>(length) / factor)));
+}
+
+}  // namespace
+
+VolumeShape CoarsePass::Shape(const Options& options, cv::Size full) {
+  const int factor = CoarseFactor(options.prior.coarse_factor, full);
+  VolumeShape shape;
+  shape.width = Shrunk(full.width, factor);
+  shape.height = Shrunk(full.height, factor);
+  const double ratio = static_cast<double>(shape.width) / full.width;
+  const int last = options.min_disparity + options.num_disparities - 1;
+  shape.min_disparity = static_cast<int>(std::floor(options.min_disparity * ratio));
+  shape.disparities = static_cast<int>(std::ceil(last * ratio)) - shape.min_disparity + 1;
+  return shape;
+}
+
+void CoarsePass::Run(const Options& options, const ImagePair& full, ThreadPool* pool) {
+  const VolumeShape shape = Shape(options, full.size());
+  images_.Shrink(full, {shape.width, shape.height});
+  // The exposures of the two images are not known yet: absolute differences would mislead.
+  RadiometricFit unknown;
+  unknown.ad_weight = 0.0;
+  const CostRows& costs =
+      costs_.Prepare(options.cost, images_.left_gray(), images_.right_gray(), shape, unknown, pool);
+  AggregationOptions aggregation = options.aggregation;
+  aggregation.scheme = PathScheme::kEight;
+  const cv::Mat& guide = aggregation.color_guide ? images_.left_color() : images_.left_gray();
+  aggregator_.Run(costs, guide, aggregation, nullptr, -1, pool, &winners_);
+  RefineSubpixel(winners_, Subpixel::kParabola, &disparity_, pool);
+  confident_.Select(winners_.uncertainty, disparity_, winners_.right_winner, shape.min_disparity,
+                    options.prior.keep_quantile);
+  fit_ = options.cost.kind == CostKind::kMixed
+             ? FitRadiometry(images_.left_gray(), images_.right_gray(), disparity_, confident())
+             : RadiometricFit();
+}
+
+}  // namespace stereo_sgmp

@@ -1,0 +1,76 @@
+#include "matcher/disparity_refiner.h"
+
+#include <algorithm>
+
+#include "refinement/confidence.h"
+#include "refinement/fill.h"
+#include "refinement/left_right.h"
+#include "refinement/subpixel.h"
+#include "refinement/validity.h"
+
+namespace stereo_sgmp {
+namespace {
+
+// Superpixels of the refinement: small enough to hold one surface each.
+constexpr int kSuperpixelSize = 30;
+constexpr double kCompactness = 10.0;
+
+// 255 where the left and the right winner agree, which tells occlusions and blunders apart from
+// the rest; everywhere if the check is off.
+void LeftRightMask(const WinnerMap& winners, double tolerance, ThreadPool* pool, cv::Mat* mask) {
+  mask->create(winners.winner.size(), CV_8U);
+  if (tolerance < 0.0) {
+    mask->setTo(255);
+    return;
+  }
+  pool->ForRanges(mask->rows, [&](int begin, int end) {
+    const int worst = static_cast<int>(tolerance) + 1;
+    for (int y = begin; y < end; ++y) {
+      const LeftRightRow row(winners, y);
+      std::uint8_t* out = mask->ptr(y);
+      for (int x = 0; x < mask->cols; ++x) out[x] = row.Difference(x, worst) < worst ? 255 : 0;
+    }
+  });
+}
+
+void CountReasons(const cv::Mat& reason, MatchStatistics* statistics) {
+  std::fill(std::begin(statistics->reasons), std::end(statistics->reasons), 0);
+  for (int y = 0; y < reason.rows; ++y) {
+    const std::uint8_t* row = reason.ptr(y);
+    for (int x = 0; x < reason.cols; ++x) ++statistics->reasons[row[x]];
+  }
+  const double valid = statistics->reasons[static_cast<int>(InvalidReason::kValid)];
+  statistics->density = valid / static_cast<double>(reason.total());
+}
+
+}  // namespace
+
+void DisparityRefiner::Run(const WinnerMap& winners, const cv::Mat& image, const Options& options,
+                           ThreadPool* pool, MatchResult* result) {
+  const FilterOptions& filter = options.filter;
+  RefineSubpixel(winners, options.refinement.subpixel, &result->raw, pool);
+  UncertaintyImage(winners, &result->uncertainty);
+  ComputeConfidence(winners, filter.confidence, options.aggregation.p1, &result->confidence, pool);
+  MakeDense(winners, image, options, pool, result);
+  FindInvalid(winners, result->confidence, filter, &result->reason, pool);
+  speckle_.Mark(result->dense, filter.speckle_size, filter.speckle_range, &result->reason);
+  CountReasons(result->reason, &result->statistics);
+}
+
+void DisparityRefiner::MakeDense(const WinnerMap& winners, const cv::Mat& image,
+                                 const Options& options, ThreadPool* pool, MatchResult* result) {
+  const RefinementOptions& refinement = options.refinement;
+  LeftRightMask(winners, options.filter.lr_tolerance, pool, &valid_);
+  cv::Mat& disparity = refinement.median ? filled_ : result->dense;
+  result->raw.copyTo(disparity);
+  if (refinement.superpixel_planes) {
+    superpixels_.Segment(image, kSuperpixelSize, kCompactness, pool);
+    superpixel_planes_.Apply(superpixels_.labels(), superpixels_.count(), result->confidence,
+                             winners.shape, &disparity, &valid_, pool);
+  }
+  if (refinement.plane_smoothing) smoother_.Smooth(image, valid_, &disparity, pool);
+  FillScanlines(valid_, static_cast<float>(options.min_disparity), &disparity, pool);
+  if (refinement.median) median_.Apply(filled_, &result->dense, pool);
+}
+
+}  // namespace stereo_sgmp

@@ -1,0 +1,41 @@
+#ifndef STEREO_SGMP_MATCHER_DISPARITY_REFINER_H_
+#define STEREO_SGMP_MATCHER_DISPARITY_REFINER_H_
+
+#include <opencv2/core.hpp>
+
+#include "aggregation/winner_map.h"
+#include "common/thread_pool.h"
+#include "prior/superpixels.h"
+#include "refinement/median.h"
+#include "refinement/plane_smoothing.h"
+#include "refinement/speckle.h"
+#include "refinement/superpixel_planes.h"
+#include "stereo_sgmp/match_result.h"
+#include "stereo_sgmp/options.h"
+
+namespace stereo_sgmp {
+
+// From the winners to the images of a MatchResult: sub-pixel, confidence, validity, filling and
+// smoothing, in the order of the options.
+class DisparityRefiner {
+ public:
+  // `image`: the left image, CV_8UC1 or CV_8UC3.
+  void Run(const WinnerMap& winners, const cv::Mat& image, const Options& options, ThreadPool* pool,
+           MatchResult* result);
+
+ private:
+  void MakeDense(const WinnerMap& winners, const cv::Mat& image, const Options& options,
+                 ThreadPool* pool, MatchResult* result);
+
+  cv::Mat valid_;
+  cv::Mat filled_;
+  Superpixels superpixels_;
+  SuperpixelPlanes superpixel_planes_;
+  PlaneSmoother smoother_;
+  MedianFilter median_;
+  SpeckleFilter speckle_;
+};
+
+}  // namespace stereo_sgmp
+
+#endif  // STEREO_SGMP_MATCHER_DISPARITY_REFINER_H_

@@ -1,0 +1,137 @@
+#include "stereo_sgmp/matcher.h"
+
+#include <sstream>
+#include <stdexcept>
+
+#include "aggregation/aggregator.h"
+#include "alignment/rig_alignment.h"
+#include "alignment/warp_rows.h"
+#include "cost/cost_computer.h"
+#include "images/image_pair.h"
+#include "matcher/coarse_pass.h"
+#include "matcher/disparity_refiner.h"
+#include "matcher/memory.h"
+#include "matcher/stage_clock.h"
+#include "prior/estimated_prior.h"
+#include "stereo_sgmp/option_fields.h"
+
+namespace stereo_sgmp {
+namespace {
+
+void CheckRange(const Options& options, cv::Size size) {
+  if (options.num_disparities <= size.width) return;
+  std::ostringstream text;
+  text << "num_disparities is " << options.num_disparities << ", but the images are only "
+       << size.width << " pixels wide; set it to " << size.width << " or less";
+  throw std::invalid_argument(text.str());
+}
+
+}  // namespace
+
+class Matcher::Impl {
+ public:
+  explicit Impl(const Options& options) { SetOptions(options); }
+
+  void SetOptions(const Options& options) {
+    CheckOptions(options);
+    if (!pool_ || options.threads != options_.threads) {
+      pool_ = std::make_unique<ThreadPool>(options.threads);
+    }
+    options_ = options;
+    checked_size_ = cv::Size();
+  }
+
+  const Options& options() const { return options_; }
+
+  void Match(const cv::Mat& left, const cv::Mat& right, MatchResult* result) {
+    StageClock clock(&result->statistics);
+    images_.Prepare(left, right);
+    const cv::Size size = images_.size();
+    CheckRange(options_, size);
+    if (size != checked_size_) {
+      CheckMemory(options_, size, held_);
+      checked_size_ = size;
+      held_ = EstimateMemory(options_, size);
+    }
+    clock.Mark("images");
+
+    result->statistics.alignment = AlignRows();
+    clock.Mark("alignment");
+
+    coarse_.Run(options_, images_, pool_.get());
+    clock.Mark("coarse pass");
+    const VolumeShape shape{size.width, size.height, options_.num_disparities,
+                            options_.min_disparity};
+    const OrientationPrior* prior = EstimatePrior(shape, result);
+    clock.Mark("prior");
+
+    const CostRows& costs = costs_.Prepare(options_.cost, images_.left_gray(), images_.right_gray(),
+                                           shape, coarse_.radiometric_fit(), pool_.get());
+    clock.Mark("cost");
+    const cv::Mat& guide =
+        options_.aggregation.color_guide ? images_.left_color() : images_.left_gray();
+    aggregator_.Run(costs, guide, options_.aggregation, prior, options_.prior.jump_slack,
+                    pool_.get(), &winners_);
+    clock.Mark("aggregation");
+    refiner_.Run(winners_, images_.left_color(), options_, pool_.get(), result);
+    clock.Mark("refinement");
+    clock.Finish();
+  }
+
+  void ResetRig() { alignment_.Reset(); }
+
+ private:
+  AlignmentReport AlignRows() {
+    const AlignmentReport report =
+        alignment_.Update(options_.alignment, images_.left_gray(), images_.right_gray(),
+                          options_.min_disparity, options_.num_disparities);
+    if (report.applied) {
+      WarpRows(images_.right_gray(), report.scale, report.offset, &warped_, pool_.get());
+      cv::swap(images_.right_gray(), warped_);
+    }
+    return report;
+  }
+
+  const OrientationPrior* EstimatePrior(const VolumeShape& shape, MatchResult* result) {
+    const OrientationPrior* prior = nullptr;
+    if (options_.prior.variant == Variant::kSgm) {
+      result->priors.planes.clear();
+      result->priors.labels.release();
+    } else {
+      prior = estimated_prior_.Estimate(options_.prior, {coarse_.disparity(), coarse_.confident()},
+                                        coarse_.image(), shape, pool_.get());
+      result->priors.planes = estimated_prior_.report().planes;
+      estimated_prior_.report().labels.copyTo(result->priors.labels);
+    }
+    result->statistics.planes = static_cast<int>(result->priors.planes.size());
+    return prior;
+  }
+
+  Options options_;
+  std::unique_ptr<ThreadPool> pool_;
+  cv::Size checked_size_;  // for which there is enough memory
+  std::size_t held_ = 0;   // bytes of the buffers of the last frame
+  ImagePair images_;
+  RigAlignment alignment_;
+  cv::Mat warped_;
+  CoarsePass coarse_;
+  EstimatedPrior estimated_prior_;
+  CostComputer costs_;
+  Aggregator aggregator_;
+  WinnerMap winners_;
+  DisparityRefiner refiner_;
+};
+
+Matcher::Matcher(const Options& options) : impl_(std::make_unique<Impl>(options)) {}
+Matcher::~Matcher() = default;
+
+void Matcher::SetOptions(const Options& options) { impl_->SetOptions(options); }
+const Options& Matcher::options() const { return impl_->options(); }
+
+void Matcher::Match(const cv::Mat& left, const cv::Mat& right, MatchResult* result) {
+  impl_->Match(left, right, result);
+}
+
+void Matcher::ResetRig() { impl_->ResetRig(); }
+
+}  // namespace stereo_sgmp

@@ -1,0 +1,18 @@
+#ifndef STEREO_SGMP_MATCHER_MEMORY_H_
+#define STEREO_SGMP_MATCHER_MEMORY_H_
+
+#include <cstddef>
+
+#include <opencv2/core.hpp>
+
+#include "stereo_sgmp/options.h"
+
+namespace stereo_sgmp {
+
+// Throws std::runtime_error, naming both sizes and what to lower, when a Matcher that already
+// holds `held` bytes would need more than the machine has left.
+void CheckMemory(const Options& options, cv::Size image_size, std::size_t held);
+
+}  // namespace stereo_sgmp
+
+#endif  // STEREO_SGMP_MATCHER_MEMORY_H_

@@ -1,0 +1,49 @@
+#include "stereo_sgmp/presets.h"
+
+#include <stdexcept>
+
+namespace stereo_sgmp {
+namespace {
+
+Options Quality() {
+  Options options;
+  options.aggregation.scheme = PathScheme::kFourTwice;
+  options.prior.coarse_factor = 2;
+  options.refinement.plane_smoothing = true;
+  options.refinement.superpixel_planes = true;
+  return options;
+}
+
+// Section 4 of the paper; what it leaves open is set as the reproduction measured best.
+Options Paper() {
+  Options options;
+  options.cost.kind = CostKind::kNcc;
+  options.cost.ncc_epsilon = 1.0;
+  options.cost.vertical_tolerance = true;
+  options.aggregation.p1 = 100;
+  options.aggregation.alpha = 8.0;
+  options.aggregation.beta = 10.0;
+  options.aggregation.color_guide = false;
+  options.prior.variant = Variant::kEpi;
+  options.prior.coarse_factor = 0;
+  options.refinement.subpixel = Subpixel::kEquiangular;
+  options.filter.confidence = ConfidenceMeasure::kUncertainty;
+  return options;
+}
+
+}  // namespace
+
+const std::vector<std::string>& PresetNames() {
+  static const std::vector<std::string> names{"default", "quality", "paper"};
+  return names;
+}
+
+Options PresetOptions(const std::string& name) {
+  if (name == "default") return Options();
+  if (name == "quality") return Quality();
+  if (name == "paper") return Paper();
+  throw std::invalid_argument("there is no preset '" + name +
+                              "'; expected default, quality or paper");
+}
+
+}  // namespace stereo_sgmp

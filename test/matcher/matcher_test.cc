@@ -1,0 +1,220 @@
+#include "stereo_sgmp/matcher.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "scene/generated_scene.h"
+#include "stereo_sgmp/presets.h"
+
+namespace stereo_sgmp {
+namespace {
+
+using ::testing::HasSubstr;
+
+bool SameBits(const cv::Mat& a, const cv::Mat& b) {
+  if (a.empty() && b.empty()) return true;
+  if (a.size() != b.size() || a.type() != b.type()) return false;
+  for (int y = 0; y < a.rows; ++y) {
+    if (!std::equal(a.ptr(y), a.ptr(y) + static_cast<std::size_t>(a.cols) * a.elemSize(),
+                    b.ptr(y))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void ExpectSameBits(const MatchResult& a, const MatchResult& b) {
+  EXPECT_TRUE(SameBits(a.raw, b.raw));
+  EXPECT_TRUE(SameBits(a.dense, b.dense));
+  EXPECT_TRUE(SameBits(a.reason, b.reason));
+  EXPECT_TRUE(SameBits(a.confidence, b.confidence));
+  EXPECT_TRUE(SameBits(a.uncertainty, b.uncertainty));
+  EXPECT_TRUE(SameBits(a.priors.labels, b.priors.labels));
+}
+
+GeneratedScene SmallRoom() { return MakeScene(SceneKind::kRoom, {150, 101}, 40, {}, 3); }
+
+Options SmallOptions(const std::string& preset = "default") {
+  Options options = PresetOptions(preset);
+  options.num_disparities = 40;
+  return options;
+}
+
+MatchResult MatchOnce(const Options& options, const cv::Mat& left, const cv::Mat& right) {
+  Matcher matcher(options);
+  MatchResult result;
+  matcher.Match(left, right, &result);
+  return result;
+}
+
+std::string ErrorOf(const Options& options, const cv::Mat& left, const cv::Mat& right) {
+  try {
+    MatchOnce(options, left, right);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+class PresetTest : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(PresetTest, ResultsDoNotDependOnThreadsOrRuns) {
+  const GeneratedScene scene = SmallRoom();
+  Options options = SmallOptions(GetParam());
+  options.threads = 1;
+  const MatchResult one = MatchOnce(options, scene.left, scene.right);
+  for (const int threads : {1, 2, 5}) {
+    SCOPED_TRACE(threads);
+    options.threads = threads;
+    ExpectSameBits(MatchOnce(options, scene.left, scene.right), one);
+  }
+}
+
+TEST_P(PresetTest, AMatcherServesSizesAndVariantsInAnyOrder) {
+  const GeneratedScene scene = SmallRoom();
+  const GeneratedScene other = MakeScene(SceneKind::kFence, {97, 64}, 40, {}, 4);
+  Options options = SmallOptions(GetParam());
+  options.alignment.mode = AlignmentMode::kOff;  // a rig does not change its size
+  Matcher matcher(options);
+  MatchResult result;
+  for (const Variant variant : {Variant::kEpv, Variant::kSgm, Variant::kEpi}) {
+    options.prior.variant = variant;
+    matcher.SetOptions(options);
+    for (const GeneratedScene* pair : {&scene, &other, &scene}) {
+      matcher.Match(pair->left, pair->right, &result);
+      ExpectSameBits(result, MatchOnce(options, pair->left, pair->right));
+    }
+  }
+}
+
+TEST_P(PresetTest, TinyImagesAreMatched) {
+  for (const cv::Size size : {cv::Size(1, 1), cv::Size(1, 9), cv::Size(9, 1), cv::Size(6, 5)}) {
+    SCOPED_TRACE(::testing::Message() << size.width << "x" << size.height);
+    Options options = SmallOptions(GetParam());
+    options.num_disparities = size.width;
+    cv::Mat image(size, CV_8UC3);
+    cv::randu(image, 0, 255);
+    const MatchResult result = MatchOnce(options, image, image);
+    EXPECT_EQ(result.dense.size(), size);
+    EXPECT_TRUE(cv::checkRange(result.dense));
+    EXPECT_TRUE(cv::checkRange(result.confidence, true, nullptr, 0.0, 1.0 + 1e-6));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PresetTest, ::testing::Values("default", "quality", "paper"));
+
+TEST(MatcherTest, StatisticsDescribeTheResult) {
+  const GeneratedScene scene = SmallRoom();
+  const MatchResult result = MatchOnce(SmallOptions(), scene.left, scene.right);
+  const MatchStatistics& statistics = result.statistics;
+  double sum = 0.0;
+  for (const StageTime& stage : statistics.stages) sum += stage.ms;
+  EXPECT_NEAR(sum, statistics.frame_ms, 1e-6);
+  EXPECT_EQ(statistics.planes, static_cast<int>(result.priors.planes.size()));
+  const int valid = static_cast<int>(result.reason.total()) - cv::countNonZero(result.reason);
+  EXPECT_EQ(statistics.reasons[0], valid);
+  EXPECT_NEAR(statistics.density, valid / static_cast<double>(result.reason.total()), 1e-9);
+}
+
+TEST(MatcherTest, FilteredDisparityIsDenseWhereValid) {
+  const GeneratedScene scene = SmallRoom();
+  const MatchResult result = MatchOnce(SmallOptions(), scene.left, scene.right);
+  cv::Mat filtered;
+  FilteredDisparity(result, -1.0F, &filtered);
+  int invalid = 0;
+  for (int y = 0; y < filtered.rows; ++y) {
+    for (int x = 0; x < filtered.cols; ++x) {
+      const bool valid = result.reason.at<std::uint8_t>(y, x) == 0;
+      EXPECT_EQ(filtered.at<float>(y, x), valid ? result.dense.at<float>(y, x) : -1.0F);
+      if (!valid) ++invalid;
+    }
+  }
+  EXPECT_GT(invalid, 0);
+}
+
+TEST(MatcherTest, AShiftOfTheRightImageShiftsTheDisparityRange) {
+  const GeneratedScene scene = SmallRoom();
+  Options options = SmallOptions();
+  options.alignment.mode = AlignmentMode::kOff;
+  const MatchResult straight = MatchOnce(options, scene.left, scene.right);
+  // Moving the right image by 25 columns to the right takes 25 off each disparity.
+  constexpr int kShift = 25;
+  cv::Mat left(scene.left.rows, scene.left.cols + 2 * kShift, CV_8UC3, cv::Scalar::all(90));
+  cv::Mat right = left.clone();
+  scene.left.copyTo(left(cv::Rect(kShift, 0, scene.left.cols, scene.left.rows)));
+  scene.right.copyTo(right(cv::Rect(2 * kShift, 0, scene.left.cols, scene.left.rows)));
+  options.min_disparity = -kShift;
+  const MatchResult shifted = MatchOnce(options, left, right);
+  int same = 0;
+  const cv::Rect inner(60, 5, 80, 90);
+  for (int y = inner.y; y < inner.br().y; ++y) {
+    for (int x = inner.x; x < inner.br().x; ++x) {
+      const float expected = straight.dense.at<float>(y, x) - kShift;
+      if (std::abs(shifted.dense.at<float>(y, x + kShift) - expected) < 1.0F) ++same;
+    }
+  }
+  EXPECT_GT(same, inner.area() * 9 / 10);
+}
+
+TEST(MatcherTest, SixteenBitImagesGiveTheDisparitiesOfEightBitOnes) {
+  const GeneratedScene scene = SmallRoom();
+  cv::Mat left;
+  cv::Mat right;
+  // 12 bits in 16, with the top value present so that the scale is known.
+  scene.left.convertTo(left, CV_16U, 16.0);
+  scene.right.convertTo(right, CV_16U, 16.0);
+  left.at<cv::Vec3w>(0, 0) = cv::Vec3w(4080, 4080, 4080);
+  cv::Mat left8 = scene.left.clone();
+  left8.at<cv::Vec3b>(0, 0) = cv::Vec3b(255, 255, 255);
+  ExpectSameBits(MatchOnce(SmallOptions(), left, right),
+                 MatchOnce(SmallOptions(), left8, scene.right));
+}
+
+TEST(MatcherTest, BadInputIsNamedBeforeWorkStarts) {
+  const cv::Mat image(20, 30, CV_8UC1, cv::Scalar(7));
+  Options options;
+  options.num_disparities = 31;
+  EXPECT_THAT(ErrorOf(options, image, image), HasSubstr("num_disparities is 31"));
+  options.num_disparities = 16;
+  EXPECT_THAT(ErrorOf(options, image, cv::Mat()), HasSubstr("right image is empty"));
+  options.prior.coarse_factor = -1;
+  EXPECT_THAT(ErrorOf(options, image, image), HasSubstr("prior/coarse_factor"));
+}
+
+TEST(MatcherTest, AVolumeThatDoesNotFitIsRefusedBeforeWorkStarts) {
+  Options options;
+  options.num_disparities = 2048;
+  const cv::Mat image = cv::Mat::zeros(8192, 8192, CV_8UC1);
+  EXPECT_GT(EstimateMemory(options, image.size()), std::size_t{8192} * 8192 * 2048 * 2);
+  EXPECT_THAT(ErrorOf(options, image, image), HasSubstr("lower num_disparities"));
+}
+
+TEST(MatcherTest, AnErrorLeavesTheMatcherUsable) {
+  const GeneratedScene scene = SmallRoom();
+  const Options options = SmallOptions();
+  Matcher matcher(options);
+  MatchResult result;
+  EXPECT_THROW(matcher.Match(scene.left, cv::Mat(), &result), std::invalid_argument);
+  Options wrong = options;
+  wrong.num_disparities = -1;
+  EXPECT_THROW(matcher.SetOptions(wrong), std::invalid_argument);
+  EXPECT_EQ(matcher.options().num_disparities, options.num_disparities);
+  matcher.Match(scene.left, scene.right, &result);
+  ExpectSameBits(result, MatchOnce(options, scene.left, scene.right));
+}
+
+TEST(MatcherTest, UniformImagesGiveNoConfidence) {
+  const cv::Mat image(60, 80, CV_8UC1, cv::Scalar(100));
+  Options options = SmallOptions();
+  const MatchResult result = MatchOnce(options, image, image);
+  EXPECT_TRUE(cv::checkRange(result.dense));
+  EXPECT_LT(result.statistics.density, 0.05);
+}
+
+}  // namespace
+}  // namespace stereo_sgmp
