@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace stereo_sgmp {
 namespace {
@@ -19,16 +18,13 @@ constexpr double kUselessDeviation = 8.0;
 constexpr double kMinGain = 0.2;
 constexpr double kMaxGain = 5.0;
 
-struct GrayPair {
-  float left = 0.0F;
-  float right = 0.0F;
-};
+}  // namespace
 
-std::vector<GrayPair> MatchedGrays(const cv::Mat& left, const cv::Mat& right,
-                                   const cv::Mat& disparity, const cv::Mat& confident) {
+void RadiometricFitter::CollectPairs(const cv::Mat& left, const cv::Mat& right,
+                                     const cv::Mat& disparity, const cv::Mat& confident) {
   const double pixels = static_cast<double>(left.total());
   const int step = std::max(1, static_cast<int>(std::sqrt(pixels / kMaxMatches)));
-  std::vector<GrayPair> pairs;
+  pairs_.clear();
   for (int y = 0; y < left.rows; y += step) {
     for (int x = 0; x < left.cols; x += step) {
       if (confident.at<std::uint8_t>(y, x) == 0) continue;
@@ -37,30 +33,26 @@ std::vector<GrayPair> MatchedGrays(const cv::Mat& left, const cv::Mat& right,
       const int l = left.at<std::uint8_t>(y, x);
       const int r = right.at<std::uint8_t>(y, static_cast<int>(match));
       if (std::max(l, r) > kSaturated) continue;
-      pairs.push_back({static_cast<float>(l), static_cast<float>(r)});
+      pairs_.push_back({static_cast<float>(l), static_cast<float>(r)});
     }
   }
-  return pairs;
 }
 
-double Error(const GrayPair& pair, const RadiometricFit& fit) {
+double RadiometricFitter::Error(const GrayPair& pair, const RadiometricFit& fit) {
   return pair.left - fit.gain * pair.right - fit.offset;
 }
 
-double MedianDeviation(const std::vector<GrayPair>& pairs, const RadiometricFit& fit) {
-  std::vector<double> deviations;
-  deviations.reserve(pairs.size());
-  for (const GrayPair& pair : pairs) deviations.push_back(std::abs(Error(pair, fit)));
-  const auto middle = deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
-  std::nth_element(deviations.begin(), middle, deviations.end());
+double RadiometricFitter::MedianDeviation(const RadiometricFit& fit) {
+  deviations_.clear();
+  for (const GrayPair& pair : pairs_) deviations_.push_back(std::abs(Error(pair, fit)));
+  const auto middle = deviations_.begin() + static_cast<std::ptrdiff_t>(deviations_.size() / 2);
+  std::nth_element(deviations_.begin(), middle, deviations_.end());
   return *middle;
 }
 
-// Least squares with Cauchy weights of the given scale around `fit`. Returns false, and leaves
-// `fit` alone, where the gray levels do not determine a line.
-bool Refit(const std::vector<GrayPair>& pairs, double scale, RadiometricFit* fit) {
+bool RadiometricFitter::Refit(double scale, RadiometricFit* fit) const {
   double w_sum = 0.0, r_sum = 0.0, rr_sum = 0.0, l_sum = 0.0, lr_sum = 0.0;
-  for (const GrayPair& pair : pairs) {
+  for (const GrayPair& pair : pairs_) {
     const double error = Error(pair, *fit) / scale;
     const double w = 1.0 / (1.0 + error * error);
     w_sum += w;
@@ -76,23 +68,21 @@ bool Refit(const std::vector<GrayPair>& pairs, double scale, RadiometricFit* fit
   return true;
 }
 
-}  // namespace
-
-RadiometricFit FitRadiometry(const cv::Mat& left, const cv::Mat& right, const cv::Mat& disparity,
-                             const cv::Mat& confident) {
+RadiometricFit RadiometricFitter::Fit(const cv::Mat& left, const cv::Mat& right,
+                                      const cv::Mat& disparity, const cv::Mat& confident) {
   const RadiometricFit identity;
-  const std::vector<GrayPair> pairs = MatchedGrays(left, right, disparity, confident);
-  if (pairs.size() < kMinMatches) return identity;
+  CollectPairs(left, right, disparity, confident);
+  if (pairs_.size() < kMinMatches) return identity;
 
   RadiometricFit fit;
   constexpr double kUnweighted = 1e9;
-  bool solvable = Refit(pairs, kUnweighted, &fit);
+  bool solvable = Refit(kUnweighted, &fit);
   for (int i = 1; i < kIterations && solvable; ++i) {
-    solvable = Refit(pairs, 2.0 * MedianDeviation(pairs, fit) + 1.0, &fit);
+    solvable = Refit(2.0 * MedianDeviation(fit) + 1.0, &fit);
   }
   const bool plausible = fit.gain >= kMinGain && fit.gain <= kMaxGain;
-  const double before = MedianDeviation(pairs, identity);
-  const double after = MedianDeviation(pairs, fit);
+  const double before = MedianDeviation(identity);
+  const double after = MedianDeviation(fit);
   const bool keep = plausible && after < kWorthwhile * before;
   RadiometricFit result = keep ? fit : identity;
   const double remaining = keep ? after : before;

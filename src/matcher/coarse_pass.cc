@@ -51,7 +51,7 @@ void CoarsePass::Run(const Options& options, const ImagePair& full, ThreadPool* 
   confident_.Select(winners_.uncertainty, disparity_, winners_.right_winner, shape.min_disparity,
                     options.prior.keep_quantile);
   fit_ = options.cost.kind == CostKind::kMixed
-             ? FitRadiometry(images_.left_gray(), images_.right_gray(), disparity_, confident())
+             ? radiometry_.Fit(images_.left_gray(), images_.right_gray(), disparity_, confident())
              : RadiometricFit();
 }
 

@@ -37,6 +37,7 @@ class CoarsePass {
   WinnerMap winners_;
   cv::Mat disparity_;
   ConfidentPixels confident_;
+  RadiometricFitter radiometry_;
   RadiometricFit fit_;
 };
 

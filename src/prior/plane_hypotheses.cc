@@ -202,7 +202,7 @@ bool PlaneHypotheses::Keep(int min_area) {
   const auto near = [&plane](const DisparitySample& s) {
     return std::abs(plane.At(s.x, s.y) - s.disparity) < kGrowRange;
   };
-  const auto far = std::stable_partition(pixels_.begin(), pixels_.end(), near);
+  const auto far = std::partition(pixels_.begin(), pixels_.end(), near);
   const int area = static_cast<int>(far - pixels_.begin());
   if (area < std::max(1, min_area)) return false;
   Release(far);
@@ -231,8 +231,9 @@ void PlaneHypotheses::SortByArea() {
   const auto area = [this](std::int16_t i) {
     return map_.planes[static_cast<std::size_t>(i)].area;
   };
-  std::stable_sort(order_.begin(), order_.end(),
-                   [&area](std::int16_t l, std::int16_t r) { return area(l) > area(r); });
+  std::sort(order_.begin(), order_.end(), [&area](std::int16_t l, std::int16_t r) {
+    return area(l) != area(r) ? area(l) > area(r) : l < r;
+  });
   sorted_.clear();
   for (const std::int16_t old_label : order_) {
     new_label_[static_cast<std::size_t>(old_label)] = static_cast<std::int16_t>(sorted_.size());

@@ -35,7 +35,7 @@ Pair MakePair(double gain, double offset, double noise) {
 }
 
 RadiometricFit Fit(const Pair& pair) {
-  return FitRadiometry(pair.left, pair.right, pair.disparity, pair.confident);
+  return RadiometricFitter().Fit(pair.left, pair.right, pair.disparity, pair.confident);
 }
 
 TEST(RadiometricFitTest, RecoversGainAndOffset) {
