@@ -1,0 +1,126 @@
+// The generated configuration against the list of options.
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+#include <dynamic_reconfigure/config_tools.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "ros/parameters.h"
+#include "stereo_sgmp/option_fields.h"
+#include "stereo_sgmp/presets.h"
+
+namespace stereo_sgmp {
+namespace {
+
+using dynamic_reconfigure::ConfigTools;
+
+const Options kDefaults;
+
+std::string Sentence(const OptionField& field) {
+  const std::string unit = field.unit;
+  return unit.empty() ? field.doc : std::string(field.doc) + " [" + unit + "]";
+}
+
+template <class T>
+std::string TypeName() {
+  if (std::is_same_v<T, bool>) return "bool";
+  if (std::is_same_v<T, int>) return "int";
+  if (std::is_same_v<T, double>) return "double";
+  return "str";
+}
+
+std::map<std::string, StereoSgmpConfig::AbstractParamDescriptionConstPtr> Descriptions() {
+  std::map<std::string, StereoSgmpConfig::AbstractParamDescriptionConstPtr> descriptions;
+  for (const auto& description : StereoSgmpConfig::__getParamDescriptions__()) {
+    descriptions[description->name] = description;
+  }
+  return descriptions;
+}
+
+template <class T>
+T Value(const dynamic_reconfigure::Config& config, const std::string& name) {
+  T value{};
+  EXPECT_TRUE(ConfigTools::getParameter(config, name, value)) << name;
+  return value;
+}
+
+TEST(Config, HasTheOptionsAndNoMore) {
+  const auto descriptions = Descriptions();
+  std::size_t options = 0;
+  VisitOptions(kDefaults, [&](const OptionField& field, const auto& value) {
+    ++options;
+    const auto found = descriptions.find(ConfigName(field.name));
+    ASSERT_NE(found, descriptions.end()) << field.name;
+    EXPECT_EQ(found->second->type, TypeName<std::decay_t<decltype(value)>>()) << field.name;
+    EXPECT_EQ(found->second->description, Sentence(field)) << field.name;
+  });
+  EXPECT_EQ(descriptions.size(), options);
+}
+
+TEST(Config, HasTheRangesOfTheOptions) {
+  const auto& description = StereoSgmpConfig::__getDescriptionMessage__();
+  VisitOptions(kDefaults, [&](const OptionField& field, const auto& value) {
+    using T = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<T, int> || std::is_same_v<T, double>) {
+      const std::string name = ConfigName(field.name);
+      EXPECT_EQ(Value<T>(description.min, name), static_cast<T>(field.min)) << name;
+      EXPECT_EQ(Value<T>(description.max, name), static_cast<T>(field.max)) << name;
+    }
+  });
+}
+
+TEST(Config, OffersTheNamesOfTheChoices) {
+  const auto descriptions = Descriptions();
+  VisitOptions(kDefaults, [&](const OptionField& field, const auto& value) {
+    using T = std::decay_t<decltype(value)>;
+    if constexpr (std::is_enum_v<T>) {
+      const std::string& offered = descriptions.at(ConfigName(field.name))->edit_method;
+      for (const auto& [choice, name] : EnumNames<T>::kValues) {
+        EXPECT_THAT(offered, testing::HasSubstr("'value': '" + std::string(name) + "'"));
+      }
+    }
+  });
+}
+
+void ExpectEqual(const Options& a, const Options& b) {
+  std::map<std::string, std::string> expected;
+  const auto text = [](const auto& value) {
+    std::ostringstream out;
+    out << std::hexfloat << static_cast<double>(value);
+    return out.str();
+  };
+  VisitOptions(
+      a, [&](const OptionField& field, const auto& value) { expected[field.name] = text(value); });
+  VisitOptions(b, [&](const OptionField& field, const auto& value) {
+    EXPECT_EQ(text(value), expected[field.name]) << field.name;
+  });
+}
+
+TEST(Config, DefaultsAreThoseOfTheOptions) {
+  ExpectEqual(FromConfig(StereoSgmpConfig::__getDefault__()), Options());
+}
+
+TEST(Config, KeepsEveryOption) {
+  for (const std::string& preset : PresetNames()) {
+    ExpectEqual(FromConfig(ToConfig(PresetOptions(preset))), PresetOptions(preset));
+  }
+}
+
+TEST(Config, RefusesUnknownChoices) {
+  StereoSgmpConfig config = ToConfig(Options());
+  config.prior_variant = "best";
+  try {
+    FromConfig(config);
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(),
+                testing::HasSubstr("prior_variant is 'best'; expected one of sgm, epi, epv"));
+  }
+}
+
+}  // namespace
+}  // namespace stereo_sgmp

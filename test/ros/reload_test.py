@@ -1,0 +1,116 @@
+#!/usr/bin/python3
+"""The nodelet loaded, unloaded and loaded again, and the node of its own."""
+import signal
+import subprocess
+import sys
+import unittest
+
+import rosgraph
+import rospy
+import rostest
+from stereo_msgs.msg import DisparityImage
+
+import stereo_rig as rig
+
+IN_NAMESPACE = ["__ns:=/stereo", "__name:=matcher"]
+
+
+def is_advertised():
+    publishers, _, _ = rosgraph.Master("/reload_test").getSystemState()
+    return any(topic == "/stereo/disparity" for topic, _ in publishers)
+
+
+class ReloadTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.camera = rig.Camera()
+        cls.log = rig.LogListener()
+
+    def setUp(self):
+        # What dynamic_reconfigure left of the test before.
+        if rospy.has_param("/stereo/matcher"):
+            rospy.delete_param("/stereo/matcher")
+        rospy.set_param("/stereo/matcher/num_disparities", 48)
+
+    def start(self, *command):
+        self.assertFalse(is_advertised())
+        process = subprocess.Popen(list(command) + IN_NAMESPACE)
+        self.addCleanup(self.stop_if_running, process)
+        rig.wait_until(is_advertised, "the disparity is not advertised")
+        return process
+
+    def stop(self, process):
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(rig.TIMEOUT), 0)
+        rig.wait_until(lambda: not is_advertised(), "the disparity is still advertised")
+
+    def stop_if_running(self, process):
+        if process.poll() is None:
+            self.stop(process)
+
+    def check_works(self):
+        listener = rig.Listener("/stereo/disparity", DisparityImage)
+        self.camera.wait_for_matcher()
+        frame = self.camera.next_frame()
+        self.camera.send(frame)
+        rig.check_disparity(self, listener.wait_for(frame.left.header.stamp))
+        listener.close()
+
+    def load(self):
+        return self.start("rosrun", "nodelet", "nodelet", "load", "stereo_sgmp/stereo_sgmp",
+                          "/stereo/manager")
+
+    def test_reload(self):
+        for _ in range(3):
+            process = self.load()
+            self.check_works()
+            self.stop(process)
+
+    def test_unload_with_listener_and_work(self):
+        process = self.load()
+        listener = rig.Listener("/stereo/disparity", DisparityImage)
+        self.camera.wait_for_matcher()
+        for _ in range(5):
+            self.camera.send(self.camera.next_frame())
+        self.stop(process)
+        process = self.load()
+        self.camera.wait_for_matcher()
+        frame = self.camera.next_frame()
+        self.camera.send(frame)
+        rig.check_disparity(self, listener.wait_for(frame.left.header.stamp))
+        listener.close()
+        self.stop(process)
+
+    def test_node(self):
+        process = self.start("rosrun", "stereo_sgmp", "stereo_sgmp")
+        self.check_works()
+        self.stop(process)
+
+    def test_parameters(self):
+        names = {"preset": "paper", "queue_size": 0, "disparity_range": 40, "uniqueness_ratio": 12,
+                 "P1": 200, "disp12MaxDiff": 0, "alignment/mode": False, "prior/variant": "best",
+                 "filter/speckle_range": 1000.0}
+        for name, value in names.items():
+            rospy.set_param("/stereo/matcher/" + name, value)
+        process = self.load()
+        # The last one that is written at the start, after dynamic_reconfigure's own defaults.
+        rig.wait_until(
+            lambda: rospy.get_param("/stereo/matcher/filter_speckle_range", 0) == 100,
+            "filter/speckle_range is not clamped")
+        for name, value in {"num_disparities": 40, "filter_uniqueness_ratio": 12.0,
+                            "filter_lr_tolerance": -1.0, "alignment_mode": "off",
+                            "prior_variant": "epi", "cost_kind": "ncc", "aggregation_p1": 100,
+                            "filter_speckle_range": 100.0}.items():
+            self.assertEqual(rospy.get_param("/stereo/matcher/" + name), value, name)
+        for sentence in ("queue_size is 0; expected at least 1",
+                         "matcher/P1 is ignored",
+                         "prior/variant is best; expected one of sgm, epi, epv",
+                         "filter/speckle_range is 1000; expected a number from 0 to 100 px"):
+            self.log.wait_for(sentence)
+        self.check_works()
+        self.stop(process)
+
+
+if __name__ == "__main__":
+    rospy.init_node("reload_test")
+    rostest.rosrun("stereo_sgmp", "reload_test", ReloadTest, sys.argv)
