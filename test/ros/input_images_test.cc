@@ -28,7 +28,7 @@ sensor_msgs::ImagePtr Image(const std::string& encoding, unsigned width, unsigne
 std::string Refusal(const sensor_msgs::ImageConstPtr& left,
                     const sensor_msgs::ImageConstPtr& right) {
   try {
-    ToImagePair(left, right);
+    ToInputPair(left, right);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -52,18 +52,18 @@ TEST(ToImage, BringsColoursInOpenCvsOrder) {
   EXPECT_EQ(ToImage(image, "left/image_rect")->image.at<cv::Vec3b>(0, 0), cv::Vec3b(3, 2, 1));
 }
 
-TEST(ToImagePair, SharesThePixels) {
+TEST(ToInputPair, SharesThePixels) {
   const sensor_msgs::ImagePtr image = Image(enc::MONO8, 5, 3);
-  EXPECT_EQ(ToImagePair(image, image).left->image.data, image->data.data());
+  EXPECT_EQ(ToInputPair(image, image).left->image.data, image->data.data());
 }
 
-TEST(ToImagePair, MakesOneTypeOfTwo) {
-  const ImagePair pair = ToImagePair(Image(enc::BGR8, 5, 3), Image(enc::MONO16, 5, 3));
+TEST(ToInputPair, MakesOneTypeOfTwo) {
+  const InputPair pair = ToInputPair(Image(enc::BGR8, 5, 3), Image(enc::MONO16, 5, 3));
   EXPECT_EQ(pair.left->image.type(), CV_8UC1);
   EXPECT_EQ(pair.right->image.type(), CV_8UC1);
 }
 
-TEST(ToImagePair, RefusesOtherEncodings) {
+TEST(ToInputPair, RefusesOtherEncodings) {
   EXPECT_THAT(Refusal(Image(enc::MONO8, 5, 3), Image(enc::BAYER_RGGB8, 5, 3)),
               testing::AllOf(HasSubstr("right/image_rect has encoding 'bayer_rggb8'"),
                              HasSubstr("mono8, mono16, bgr8, rgb8, bgra8, rgba8")));
@@ -72,12 +72,12 @@ TEST(ToImagePair, RefusesOtherEncodings) {
   EXPECT_THAT(Refusal(strange, strange), HasSubstr("'no such thing'"));
 }
 
-TEST(ToImagePair, RefusesUnequalSizes) {
+TEST(ToInputPair, RefusesUnequalSizes) {
   EXPECT_THAT(Refusal(Image(enc::MONO8, 5, 3), Image(enc::MONO8, 6, 3)),
               HasSubstr("left/image_rect is of 5 x 3 pixels, right/image_rect of 6 x 3"));
 }
 
-TEST(ToImagePair, RefusesMissingData) {
+TEST(ToInputPair, RefusesMissingData) {
   const sensor_msgs::ImagePtr good = Image(enc::MONO8, 5, 3);
   const sensor_msgs::ImagePtr truncated = Image(enc::MONO8, 5, 3);
   truncated->data.pop_back();

@@ -72,7 +72,7 @@ class PlaybackTest(unittest.TestCase):
                            ("options.yaml", "num_disparities: 48\nprior: {variant: epi}\n")):
             with open(cls.path(name), "w") as file:
                 file.write(text)
-        subprocess.check_call(["rosrun", "stereo_sgmp", "make_bag", cls.path("pair.bag"),
+        subprocess.check_call([rig.program("stereo_sgmp", "make_bag"), cls.path("pair.bag"),
                                "--left", cls.path("left.ppm"), "--right", cls.path("right.ppm"),
                                "--calib", cls.path("calib.txt"), "--frames", str(FRAMES),
                                "--rate", "10", "--start", str(START), "--raw",

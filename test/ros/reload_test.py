@@ -57,7 +57,7 @@ class ReloadTest(unittest.TestCase):
         listener.close()
 
     def load(self):
-        return self.start("rosrun", "nodelet", "nodelet", "load", "stereo_sgmp/stereo_sgmp",
+        return self.start(rig.program("nodelet", "nodelet"), "load", "stereo_sgmp/stereo_sgmp",
                           "/stereo/manager")
 
     def test_reload(self):
@@ -82,7 +82,7 @@ class ReloadTest(unittest.TestCase):
         self.stop(process)
 
     def test_node(self):
-        process = self.start("rosrun", "stereo_sgmp", "stereo_sgmp")
+        process = self.start(rig.program("stereo_sgmp", "stereo_sgmp"))
         self.check_works()
         self.stop(process)
 

@@ -3,6 +3,7 @@ import threading
 import time
 
 import numpy as np
+import roslib.packages
 import rospy
 from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import CameraInfo, Image
@@ -18,6 +19,12 @@ BOARD_ROWS, BOARD_COLUMNS = slice(60, 180), slice(120, 220)
 
 # Generous: the machine may be slow and busy.
 TIMEOUT = 60.0
+
+
+def program(package, name):
+    """Its path. Unlike rosrun, this finds the programs of a build folder inside the package."""
+    (path,) = roslib.packages.find_node(package, name)
+    return path
 
 
 def texture(height, width, seed):

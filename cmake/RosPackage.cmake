@@ -1,0 +1,43 @@
+# What makes this a catkin package: messages, dynamic_reconfigure and what others find of it.
+find_package(catkin REQUIRED COMPONENTS
+  cv_bridge
+  dynamic_reconfigure
+  image_transport
+  message_filters
+  message_generation
+  nodelet
+  pluginlib
+  rosbag
+  roscpp
+  sensor_msgs
+  std_msgs
+  stereo_msgs
+)
+
+add_message_files(FILES
+  Plane.msg
+  Priors.msg
+  Stage.msg
+  Statistics.msg
+)
+generate_messages(DEPENDENCIES sensor_msgs std_msgs)
+generate_dynamic_reconfigure_options(cfg/StereoSgmp.cfg)
+
+catkin_package(
+  INCLUDE_DIRS include
+  LIBRARIES ${PROJECT_NAME}
+  CATKIN_DEPENDS
+    cv_bridge
+    dynamic_reconfigure
+    image_transport
+    message_filters
+    message_runtime
+    nodelet
+    pluginlib
+    rosbag
+    roscpp
+    sensor_msgs
+    std_msgs
+    stereo_msgs
+  DEPENDS OpenCV
+)

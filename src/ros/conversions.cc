@@ -1,0 +1,217 @@
+#include "ros/conversions.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include <cv_bridge/cv_bridge.h>
+#include <sensor_msgs/image_encodings.h>
+#include <boost/make_shared.hpp>
+
+#include "io/color_map.h"
+#include "stereo_sgmp/option_fields.h"
+
+namespace stereo_sgmp {
+namespace {
+
+namespace enc = sensor_msgs::image_encodings;
+
+// Interpolated disparities are not quantised; this is how finely they can be told apart, and
+// what consumers know from OpenCV's matchers.
+constexpr double kInterpolatedStep = 1.0 / 16.0;
+
+double DisparityStep(const Options& options) {
+  return options.refinement.subpixel == Subpixel::kNone ? 1.0 : kInterpolatedStep;
+}
+
+double LastDisparity(const Options& options) {
+  return options.min_disparity + options.num_disparities - 1;
+}
+
+std::string VariantName(Variant variant) {
+  for (const auto& [value, name] : EnumNames<Variant>::kValues) {
+    if (value == variant) return name;
+  }
+  return "";
+}
+
+// Columns with at least one disparity whose match lies inside the right image.
+sensor_msgs::RegionOfInterest ValidWindow(cv::Size size, const Options& options) {
+  const int first = std::clamp(options.min_disparity, 0, size.width);
+  const int beyond =
+      std::clamp(size.width + static_cast<int>(LastDisparity(options)), first, size.width);
+  sensor_msgs::RegionOfInterest window;
+  window.x_offset = static_cast<std::uint32_t>(first);
+  window.width = static_cast<std::uint32_t>(beyond - first);
+  window.height = static_cast<std::uint32_t>(size.height);
+  return window;
+}
+
+// A zeroed image message of `type`, and its pixels as a matrix that shares the message's memory.
+cv::Mat Allocate(cv::Size size, int type, const std::string& encoding, sensor_msgs::Image* image) {
+  image->height = static_cast<std::uint32_t>(size.height);
+  image->width = static_cast<std::uint32_t>(size.width);
+  image->encoding = encoding;
+  image->step = image->width * static_cast<std::uint32_t>(CV_ELEM_SIZE(type));
+  image->data.resize(std::size_t{image->step} * image->height);
+  return cv::Mat(size, type, image->data.data(), image->step);
+}
+
+sensor_msgs::PointField FloatField(const std::string& name, std::size_t offset) {
+  sensor_msgs::PointField field;
+  field.name = name;
+  field.offset = static_cast<std::uint32_t>(offset);
+  field.datatype = sensor_msgs::PointField::FLOAT32;
+  field.count = 1;
+  return field;
+}
+
+// Where the fields of a point lie in a PointCloud2 message; the gaps are zero.
+struct PackedPoint {
+  float x, y, z;
+  float padding;
+  std::uint8_t bgr0[4];
+  float confidence;
+  float padding2[2];
+};
+static_assert(sizeof(PackedPoint) == 32 && offsetof(PackedPoint, bgr0) == 16 &&
+                  offsetof(PackedPoint, confidence) == 20,
+              "copied as raw bytes");
+
+stereo_sgmp::Plane ToPlane(const PlaneHypothesis& hypothesis, const StereoCamera& camera) {
+  const StereoCamera::SpacePlane space = camera.ToSpace(hypothesis.plane);
+  stereo_sgmp::Plane plane;
+  plane.a = hypothesis.plane.a;
+  plane.b = hypothesis.plane.b;
+  plane.c = hypothesis.plane.c;
+  for (int i = 0; i < 3; ++i) plane.normal[static_cast<std::size_t>(i)] = space.normal[i];
+  plane.distance = space.distance;
+  plane.support = hypothesis.support;
+  plane.residual = hypothesis.residual;
+  return plane;
+}
+
+void FillAlignment(const AlignmentReport& report, stereo_sgmp::Statistics* message) {
+  message->alignment_applied = report.applied;
+  message->alignment_scale = report.scale;
+  message->alignment_offset = report.offset;
+  message->alignment_inliers = report.inliers;
+  message->alignment_median_offset = report.median_offset;
+  message->alignment_residual = report.residual;
+}
+
+}  // namespace
+
+DisparityLimits PublishedLimits(const MatchResult& result, const Options& options,
+                                const StereoCamera& camera) {
+  double lowest = options.min_disparity;
+  double highest = LastDisparity(options);
+  const cv::Mat valid = result.reason == 0;
+  if (cv::countNonZero(valid) > 0) {
+    double frame_lowest = 0.0;
+    double frame_highest = 0.0;
+    cv::minMaxLoc(result.dense, &frame_lowest, &frame_highest, nullptr, nullptr, valid);
+    lowest = std::min(lowest, frame_lowest);
+    highest = std::max(highest, frame_highest);
+  }
+  const double margin = DisparityStep(options);
+  return {lowest + camera.doffs - margin, highest + camera.doffs + margin};
+}
+
+stereo_msgs::DisparityImagePtr ToDisparityImage(const MatchResult& result, const Options& options,
+                                                const StereoCamera& camera,
+                                                const std_msgs::Header& header) {
+  auto message = boost::make_shared<stereo_msgs::DisparityImage>();
+  message->header = header;
+  message->image.header = header;
+  message->f = static_cast<float>(camera.focal_length);
+  message->T = static_cast<float>(camera.baseline);
+  message->valid_window = ValidWindow(result.dense.size(), options);
+  const DisparityLimits limits = PublishedLimits(result, options, camera);
+  message->min_disparity = static_cast<float>(limits.min);
+  message->max_disparity = static_cast<float>(limits.max);
+  message->delta_d = static_cast<float>(DisparityStep(options));
+
+  cv::Mat disparity = Allocate(result.dense.size(), CV_32FC1, enc::TYPE_32FC1, &message->image);
+  cv::add(result.dense, cv::Scalar(camera.doffs), disparity);
+  disparity.setTo(message->min_disparity - 1.0f, result.reason != 0);
+  return message;
+}
+
+sensor_msgs::PointCloud2Ptr ToPointCloud2(const PointCloud& cloud, const std_msgs::Header& header) {
+  auto message = boost::make_shared<sensor_msgs::PointCloud2>();
+  message->header = header;
+  message->width = static_cast<std::uint32_t>(cloud.width);
+  message->height = static_cast<std::uint32_t>(cloud.height);
+  message->fields = {
+      FloatField("x", offsetof(PackedPoint, x)), FloatField("y", offsetof(PackedPoint, y)),
+      FloatField("z", offsetof(PackedPoint, z)), FloatField("rgb", offsetof(PackedPoint, bgr0)),
+      FloatField("confidence", offsetof(PackedPoint, confidence))};
+  message->is_bigendian = false;
+  message->is_dense = false;
+  message->point_step = sizeof(PackedPoint);
+  message->row_step = message->point_step * message->width;
+  message->data.resize(cloud.points.size() * sizeof(PackedPoint));
+  std::uint8_t* out = message->data.data();
+  for (const CloudPoint& point : cloud.points) {
+    const PackedPoint packed{
+        point.x, point.y, point.z, 0.0f, {point.b, point.g, point.r, 0}, point.confidence, {}};
+    std::memcpy(out, &packed, sizeof(packed));
+    out += sizeof(packed);
+  }
+  return message;
+}
+
+stereo_sgmp::PriorsPtr ToPriors(const MatchResult& result, const Options& options,
+                                const StereoCamera& camera, const std_msgs::Header& header) {
+  auto message = boost::make_shared<stereo_sgmp::Priors>();
+  message->header = header;
+  message->variant = VariantName(options.prior.variant);
+  for (const PlaneHypothesis& hypothesis : result.priors.planes) {
+    message->planes.push_back(ToPlane(hypothesis, camera));
+  }
+  message->labels.header = header;
+  if (!result.priors.labels.empty()) {
+    cv::Mat labels =
+        Allocate(result.priors.labels.size(), CV_16SC1, enc::TYPE_16SC1, &message->labels);
+    result.priors.labels.copyTo(labels);
+  }
+  return message;
+}
+
+stereo_sgmp::StatisticsPtr ToStatistics(const MatchResult& result, const Options& options,
+                                        const std_msgs::Header& header) {
+  const MatchStatistics& statistics = result.statistics;
+  auto message = boost::make_shared<stereo_sgmp::Statistics>();
+  message->header = header;
+  message->variant = VariantName(options.prior.variant);
+  message->frame_ms = statistics.frame_ms;
+  for (const StageTime& time : statistics.stages) {
+    stereo_sgmp::Stage stage;
+    stage.name = time.name;
+    stage.ms = time.ms;
+    message->stages.push_back(stage);
+  }
+  message->planes = statistics.planes;
+  message->density = statistics.density;
+  for (std::size_t i = 0; i < message->reasons.size(); ++i) {
+    message->reasons[i] = static_cast<std::uint32_t>(statistics.reasons[i]);
+  }
+  FillAlignment(statistics.alignment, message.get());
+  return message;
+}
+
+sensor_msgs::ImagePtr ToImageMessage(const cv::Mat& image, const std::string& encoding,
+                                     const std_msgs::Header& header) {
+  return cv_bridge::CvImage(header, encoding, image).toImageMsg();
+}
+
+cv::Mat DisparityPicture(const MatchResult& result, const Options& options) {
+  cv::Mat disparity;
+  FilteredDisparity(result, std::numeric_limits<float>::infinity(), &disparity);
+  return ColorDisparity(disparity, options.min_disparity, LastDisparity(options));
+}
+
+}  // namespace stereo_sgmp
