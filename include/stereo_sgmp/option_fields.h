@@ -173,8 +173,8 @@ void VisitOptions(OptionsT& o, Visitor&& visit) {
   visit(OptionField{"filter/min_confidence", "", "Pixels below are invalid.", 0, 1},
         o.filter.min_confidence);
   visit(OptionField{"filter/lr_tolerance", "px",
-                    "Largest difference of the left and the right image's winner; -1 switches "
-                    "the check off.",
+                    "Largest difference of the disparity and the right image's own winner; -1 "
+                    "switches the check off.",
                     -1, 2048},
         o.filter.lr_tolerance);
   visit(OptionField{"filter/uniqueness_ratio", "%",

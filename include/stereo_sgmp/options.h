@@ -88,7 +88,7 @@ struct RefinementOptions {
 struct FilterOptions {
   ConfidenceMeasure confidence = ConfidenceMeasure::kPeakDifference;
   double min_confidence = 0.1;
-  double lr_tolerance = 1.0;
+  double lr_tolerance = 1.5;
   double uniqueness_ratio = 0.0;
   int speckle_size = 100;
   double speckle_range = 1.0;

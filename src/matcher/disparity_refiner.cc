@@ -52,7 +52,7 @@ void DisparityRefiner::Run(const WinnerMap& winners, const cv::Mat& image, const
   UncertaintyImage(winners, &result->uncertainty);
   ComputeConfidence(winners, filter.confidence, options.aggregation.p1, &result->confidence, pool);
   MakeDense(winners, image, options, pool, result);
-  FindInvalid(winners, result->confidence, filter, &result->reason, pool);
+  FindInvalid(winners, result->dense, result->confidence, filter, &result->reason, pool);
   speckle_.Mark(result->dense, filter.speckle_size, filter.speckle_range, &result->reason);
   CountReasons(result->reason, &result->statistics);
 }

@@ -11,12 +11,14 @@ namespace {
 // The checks of one row of pixels.
 class RowChecks {
  public:
-  RowChecks(const WinnerMap& map, const cv::Mat& confidence, const FilterOptions& options, int y)
+  RowChecks(const WinnerMap& map, const cv::Mat& disparity, const cv::Mat& confidence,
+            const FilterOptions& options, int y)
       : options_(options),
         last_(map.shape.disparities - 1),
         winner_(map.winner[y]),
         cost_(map.cost[y]),
         second_(map.second[y]),
+        disparity_(disparity.ptr<float>(y)),
         confidence_(confidence.ptr<float>(y)),
         left_right_(map, y) {}
 
@@ -34,7 +36,7 @@ class RowChecks {
 
   bool DoSidesDisagree(int x) const {
     return options_.lr_tolerance >= 0.0 &&
-           left_right_.Difference(x, WinnerMap::kNone) > options_.lr_tolerance;
+           left_right_.DifferenceTo(disparity_[x], x) > options_.lr_tolerance;
   }
 
   bool IsAmbiguous(int x) const {
@@ -47,18 +49,19 @@ class RowChecks {
   const std::uint16_t* const winner_;
   const std::uint16_t* const cost_;
   const std::uint16_t* const second_;
+  const float* const disparity_;
   const float* const confidence_;
   const LeftRightRow left_right_;
 };
 
 }  // namespace
 
-void FindInvalid(const WinnerMap& map, const cv::Mat& confidence, const FilterOptions& options,
-                 cv::Mat* reason, ThreadPool* pool) {
+void FindInvalid(const WinnerMap& map, const cv::Mat& disparity, const cv::Mat& confidence,
+                 const FilterOptions& options, cv::Mat* reason, ThreadPool* pool) {
   reason->create(map.winner.size(), CV_8U);
   pool->ForRanges(reason->rows, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
-      const RowChecks checks(map, confidence, options, y);
+      const RowChecks checks(map, disparity, confidence, options, y);
       std::uint8_t* row = reason->ptr<std::uint8_t>(y);
       for (int x = 0; x < reason->cols; ++x) row[x] = static_cast<std::uint8_t>(checks.At(x));
     }

@@ -23,13 +23,18 @@ class ValidityTest : public testing::Test {
 
   InvalidReason ReasonAt(int x) {
     ThreadPool pool(2);
+    cv::Mat disparity = disparity_;
+    if (disparity.empty()) {
+      map_.winner.convertTo(disparity, CV_32F, 1.0, map_.shape.min_disparity);
+    }
     cv::Mat reason;
-    FindInvalid(map_, confidence_, options_, &reason, &pool);
+    FindInvalid(map_, disparity, confidence_, options_, &reason, &pool);
     return static_cast<InvalidReason>(reason.at<std::uint8_t>(0, x));
   }
   InvalidReason Reason() { return ReasonAt(kColumn); }
 
   WinnerMap map_ = UniformWinnerMap(kShape, kWinner);
+  cv::Mat disparity_;  // that of the winners where it is empty
   cv::Mat confidence_ = cv::Mat(1, kShape.width, CV_32F, cv::Scalar(0.9));
   FilterOptions options_;
 };
@@ -62,6 +67,16 @@ TEST_F(ValidityTest, LowConfidence) {
   confidence_.at<float>(0, kColumn) = 0.29f;
   EXPECT_EQ(Reason(), InvalidReason::kUncertainty);
   options_.min_confidence = 0.0;
+  EXPECT_EQ(Reason(), InvalidReason::kValid);
+}
+
+TEST_F(ValidityTest, AMendedDisparityIsComparedInPlaceOfTheWinner) {
+  map_.winner.convertTo(disparity_, CV_32F, 1.0, map_.shape.min_disparity);
+  map_.winner(0, kColumn) = kWinner + 6;
+  EXPECT_EQ(Reason(), InvalidReason::kValid);
+  disparity_.at<float>(0, kColumn) += 1.2F;  // the right image says 5
+  EXPECT_EQ(Reason(), InvalidReason::kLeftRight);
+  options_.lr_tolerance = 1.25;
   EXPECT_EQ(Reason(), InvalidReason::kValid);
 }
 
