@@ -136,13 +136,17 @@ void StereoSgmpNodelet::MatchAndPublish(const StereoFrame& frame) {
   const std::string frame_problem = FrameIdProblem(*frame.left_info, *frame.right_info);
   if (!frame_problem.empty()) Warn("frame_id", frame_problem);
 
+  // The colour image may come after the gray ones, or be gone when matching took long.
+  sensor_msgs::ImageConstPtr color;
+  if (outputs_.CloudWanted()) color = colors_.Find(frame.left->header.stamp);
   ApplyOptions();
   matcher_->Match(images.left->image, images.right->image, &result_);
   const MatchedFrame matched{result_, matcher_->options(), camera, frame.left->header};
   outputs_.PublishMaps(matched);
   const double latency_ms = (ros::WallTime::now() - frame.arrival).toSec() * 1e3;
   if (outputs_.CloudWanted()) {
-    outputs_.PublishCloud(matched, CloudColor(frame, images.left)->image);
+    if (!color) color = colors_.Find(frame.left->header.stamp);
+    outputs_.PublishCloud(matched, CloudColor(color, images.left)->image);
   }
   FrameCounts counts = counts_;
   ++counts.matched;
@@ -150,10 +154,9 @@ void StereoSgmpNodelet::MatchAndPublish(const StereoFrame& frame) {
   outputs_.PublishStatistics(matched, latency_ms, counts);
 }
 
-// The colour image of the same exposure if it has come by now and is usable, else the left one.
-cv_bridge::CvImageConstPtr StereoSgmpNodelet::CloudColor(const StereoFrame& frame,
+// The colour image of the same exposure if it has come and is usable, else the left one.
+cv_bridge::CvImageConstPtr StereoSgmpNodelet::CloudColor(const sensor_msgs::ImageConstPtr& color,
                                                          const cv_bridge::CvImageConstPtr& left) {
-  const sensor_msgs::ImageConstPtr color = colors_.Find(frame.left->header.stamp);
   if (!color) return left;
   try {
     const cv_bridge::CvImageConstPtr image = ToImage(color, "left/image_rect_color");

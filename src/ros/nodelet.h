@@ -51,7 +51,7 @@ class StereoSgmpNodelet : public nodelet::Nodelet {
   // The worker's side. Process does not throw.
   void Process(const StereoFrame& frame);
   void MatchAndPublish(const StereoFrame& frame);
-  cv_bridge::CvImageConstPtr CloudColor(const StereoFrame& frame,
+  cv_bridge::CvImageConstPtr CloudColor(const sensor_msgs::ImageConstPtr& color,
                                         const cv_bridge::CvImageConstPtr& left);
   void ApplyOptions();
 

@@ -214,6 +214,25 @@ TEST_F(AggregatorTest, MirroringTheVolumeMirrorsTheLeftResult) {
   ExpectSame(back, straight.uncertainty, "uncertainty");
 }
 
+TEST_F(AggregatorTest, TransposingTheVolumeTransposesTheLeftResult) {
+  const Case size{29, 41, 24, 0};
+  const reference::Volume volume = RandomVolume(size, 7);
+  reference::Volume transposed = RandomVolume({size.height, size.width, size.disparities, 0}, 7);
+  const auto column = static_cast<std::size_t>(size.disparities);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const auto from = static_cast<std::size_t>(y * size.width + x) * column;
+      const auto to = static_cast<std::size_t>(x * size.height + y) * column;
+      std::memcpy(&transposed.costs[to], &volume.costs[from], column);
+    }
+  }
+  const cv::Mat guide = RandomGuide(size, CV_8UC3, 7);
+  const WinnerMap straight = Run(volume, guide, nullptr, -1, 2);
+  const WinnerMap turned = Run(transposed, guide.t(), nullptr, -1, 2);
+  ExpectSame(cv::Mat_<std::uint16_t>(turned.cost.t()), straight.cost, "cost");
+  ExpectSame(cv::Mat_<std::uint16_t>(turned.uncertainty.t()), straight.uncertainty, "uncertainty");
+}
+
 TEST_F(AggregatorTest, ASlantedPlaneIsFreeWithItsOwnSurfaceAsPrior) {
   // C = 0 along round(S), 200 elsewhere; S has a slope that no constant disparity follows.
   const Case size{80, 40, 64, 0};
