@@ -4,6 +4,9 @@ target_compile_options(stereo_sgmp_compile_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion
   # The same bits on every SIMD target: no fused multiply-add behind the program's back.
   -ffp-contract=off)
+# SIMD targets that Highway chooses from at run time: from SSE4 on; older processors take the
+# plain one. Each target adds to the build time.
+target_compile_definitions(stereo_sgmp_compile_options INTERFACE HWY_DISABLED_TARGETS=HWY_SSSE3)
 if(STEREO_SGMP_WARNINGS_AS_ERRORS)
   target_compile_options(stereo_sgmp_compile_options INTERFACE -Werror)
 endif()

@@ -70,7 +70,7 @@ struct AggregationOptions {
 struct PriorOptions {
   Variant variant = Variant::kEpv;
   JumpPolicy jump_policy = JumpPolicy::kSameSurface;
-  int jump_slack = 15;
+  int jump_slack = 30;
   int coarse_factor = 4;
   double keep_quantile = 0.95;
   int min_plane_area = 60;

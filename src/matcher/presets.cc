@@ -26,6 +26,7 @@ Options Paper() {
   options.aggregation.color_guide = false;
   options.prior.variant = Variant::kEpi;
   options.prior.coarse_factor = 0;
+  options.prior.jump_slack = 15;
   options.refinement.subpixel = Subpixel::kEquiangular;
   options.filter.confidence = ConfidenceMeasure::kUncertainty;
   return options;
