@@ -1,4 +1,8 @@
 # What makes this a catkin package: messages, dynamic_reconfigure and what others find of it.
+# The environment that catkin makes for the tests names only folders that exist by then.
+if(NOT CATKIN_DEVEL_PREFIX)
+  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/devel/lib/python3/dist-packages)
+endif()
 find_package(catkin REQUIRED COMPONENTS
   cv_bridge
   dynamic_reconfigure

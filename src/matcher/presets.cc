@@ -8,7 +8,9 @@ namespace {
 Options Quality() {
   Options options;
   options.aggregation.scheme = PathScheme::kFourTwice;
+  options.prior.variant = Variant::kEpi;
   options.prior.coarse_factor = 2;
+  options.prior.superpixel_size = 20;
   options.refinement.plane_smoothing = true;
   options.refinement.superpixel_planes = true;
   return options;
