@@ -90,7 +90,7 @@ struct FilterOptions {
   double min_confidence = 0.1;
   double lr_tolerance = 1.5;
   double uniqueness_ratio = 0.0;
-  int speckle_size = 100;
+  int speckle_size = 200;
   double speckle_range = 1.0;
 };
 

@@ -19,7 +19,7 @@ class View:
 
     def __init__(self, points, size, yaw, pitch):
         self.size = size
-        self._low, self._high = np.percentile(points, [1, 99], axis=0)
+        self._low, self._high = np.percentile(points, [2, 98], axis=0)
         self._center = (self._low + self._high) / 2
         self._turn = _rotation(yaw, pitch)
         turned = self._turned(np.clip(points, self._low, self._high))

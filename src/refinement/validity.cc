@@ -8,6 +8,10 @@
 namespace stereo_sgmp {
 namespace {
 
+// Smoothing may mend a winner that is off by this many tolerances. Further off are the winners in
+// occlusions, whose filling would agree with the right image's winners for no good reason.
+constexpr double kMendable = 2.0;
+
 // The checks of one row of pixels.
 class RowChecks {
  public:
@@ -35,8 +39,9 @@ class RowChecks {
   bool IsAtRangeEnd(int x) const { return last_ > 1 && (winner_[x] == 0 || winner_[x] == last_); }
 
   bool DoSidesDisagree(int x) const {
-    return options_.lr_tolerance >= 0.0 &&
-           left_right_.DifferenceTo(disparity_[x], x) > options_.lr_tolerance;
+    if (options_.lr_tolerance < 0.0) return false;
+    return left_right_.DifferenceTo(disparity_[x], x) > options_.lr_tolerance ||
+           left_right_.Difference(x, WinnerMap::kNone) > kMendable * options_.lr_tolerance;
   }
 
   bool IsAmbiguous(int x) const {

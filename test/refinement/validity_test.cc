@@ -72,8 +72,11 @@ TEST_F(ValidityTest, LowConfidence) {
 
 TEST_F(ValidityTest, AMendedDisparityIsComparedInPlaceOfTheWinner) {
   map_.winner.convertTo(disparity_, CV_32F, 1.0, map_.shape.min_disparity);
-  map_.winner(0, kColumn) = kWinner + 6;
+  map_.winner(0, kColumn) = kWinner + 2;
   EXPECT_EQ(Reason(), InvalidReason::kValid);
+  map_.winner(0, kColumn) = kWinner + 3;  // further off than smoothing mends
+  EXPECT_EQ(Reason(), InvalidReason::kLeftRight);
+  map_.winner(0, kColumn) = kWinner + 2;
   disparity_.at<float>(0, kColumn) += 1.2F;  // the right image says 5
   EXPECT_EQ(Reason(), InvalidReason::kLeftRight);
   options_.lr_tolerance = 1.25;
