@@ -6,6 +6,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "stereo_sgmp/match_inputs.h"
 #include "stereo_sgmp/match_result.h"
 #include "stereo_sgmp/options.h"
 
@@ -33,6 +34,11 @@ class Matcher {
   // or the disparity range do not fit, and std::runtime_error when there is not enough memory;
   // in both cases before any work starts, and the Matcher stays usable.
   void Match(const cv::Mat& left, const cv::Mat& right, MatchResult* result);
+
+  // The same with further knowledge of the pair, which some variants need. Throws
+  // std::invalid_argument too where what the variant needs is missing or does not fit the images.
+  void Match(const cv::Mat& left, const cv::Mat& right, const MatchInputs& inputs,
+             MatchResult* result);
 
   // Forgets what was learnt of the rig (the rectification residual).
   void ResetRig();

@@ -16,8 +16,15 @@ struct EnumNames;
 
 template <>
 struct EnumNames<Variant> {
-  static constexpr std::array<std::pair<Variant, const char*>, 3> kValues{
-      {{Variant::kSgm, "sgm"}, {Variant::kEpi, "epi"}, {Variant::kEpv, "epv"}}};
+  static constexpr std::array<std::pair<Variant, const char*>, 8> kValues{
+      {{Variant::kSgm, "sgm"},
+       {Variant::kEpi, "epi"},
+       {Variant::kEpv, "epv"},
+       {Variant::kGs, "gs"},
+       {Variant::kGp, "gp"},
+       {Variant::kGni, "gni"},
+       {Variant::kGnv, "gnv"},
+       {Variant::kMw, "mw"}}};
 };
 template <>
 struct EnumNames<CostKind> {
@@ -123,8 +130,9 @@ void VisitOptions(OptionsT& o, Visitor&& visit) {
         o.aggregation.color_guide);
 
   visit(OptionField{"prior/variant", "",
-                    "Orientation prior: sgm (none), epi (a plane per superpixel), epv "
-                    "(overlapping planes)."},
+                    "Orientation prior: sgm (none), epi (a plane per superpixel), epv (overlapping "
+                    "planes), mw (Manhattan world), or from given inputs gs (surface), gp (its "
+                    "planes), gni, gnv (normals, at one or all depths)."},
         o.prior.variant);
   visit(OptionField{"prior/jump_policy", "",
                     "Jumps across label borders: literal (the paper's equation) or same_surface."},

@@ -11,6 +11,11 @@ enum class Variant {
   kSgm,  // no prior: the baseline
   kEpi,  // estimated planes, one per superpixel: a 2D prior
   kEpv,  // estimated planes, overlapping within their convex hulls: a 3D prior
+  kGs,   // the given disparity surface: a 2D prior
+  kGp,   // planes fitted to the given disparity surface: a 2D prior
+  kGni,  // one surface integrated from given normals: a 2D prior
+  kGnv,  // surfaces integrated from given normals, at all depths: a 3D prior
+  kMw,   // planes along the three directions of a Manhattan world: a 3D prior
 };
 
 enum class CostKind {

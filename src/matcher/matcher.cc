@@ -43,7 +43,8 @@ class Matcher::Impl {
 
   const Options& options() const { return options_; }
 
-  void Match(const cv::Mat& left, const cv::Mat& right, MatchResult* result) {
+  void Match(const cv::Mat& left, const cv::Mat& right, const MatchInputs& /*inputs*/,
+             MatchResult* result) {
     StageClock clock(&result->statistics);
     images_.Prepare(left, right);
     const cv::Size size = images_.size();
@@ -129,7 +130,12 @@ void Matcher::SetOptions(const Options& options) { impl_->SetOptions(options); }
 const Options& Matcher::options() const { return impl_->options(); }
 
 void Matcher::Match(const cv::Mat& left, const cv::Mat& right, MatchResult* result) {
-  impl_->Match(left, right, result);
+  impl_->Match(left, right, MatchInputs(), result);
+}
+
+void Matcher::Match(const cv::Mat& left, const cv::Mat& right, const MatchInputs& inputs,
+                    MatchResult* result) {
+  impl_->Match(left, right, inputs, result);
 }
 
 void Matcher::ResetRig() { impl_->ResetRig(); }
