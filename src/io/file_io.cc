@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <stdexcept>
 
@@ -11,7 +10,7 @@ namespace stereo_sgmp {
 
 namespace fs = std::filesystem;
 
-std::string ReadFile(const std::string& path) {
+std::ifstream OpenFile(const std::string& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) throw std::invalid_argument(path + ": there is no such file.");
@@ -19,8 +18,14 @@ std::string ReadFile(const std::string& path) {
     throw std::invalid_argument(path + ": this is a folder, a file is expected.");
   }
   std::ifstream file(path, std::ios::binary);
-  if (!file)
+  if (!file) {
     throw std::invalid_argument(path + ": the file can't be opened; check its permissions.");
+  }
+  return file;
+}
+
+std::string ReadFile(const std::string& path) {
+  std::ifstream file = OpenFile(path);
   std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   if (file.bad()) throw std::invalid_argument(path + ": the file can't be read to its end.");
   if (bytes.empty()) throw std::invalid_argument(path + ": the file is empty.");

@@ -1,14 +1,18 @@
-// Whole files in and out.
+// Files in and out, whole where not said otherwise.
 #ifndef STEREO_SGMP_IO_FILE_IO_H_
 #define STEREO_SGMP_IO_FILE_IO_H_
 
+#include <fstream>
 #include <functional>
 #include <string>
 
 namespace stereo_sgmp {
 
-// The bytes of a file. Throws std::invalid_argument for one that is missing, a folder, empty or
-// unreadable.
+// A file to read piece by piece, in binary. Throws std::invalid_argument for one that is missing, a
+// folder or can't be opened.
+std::ifstream OpenFile(const std::string& path);
+
+// The bytes of a file. Throws as OpenFile, and for one that is empty or can't be read to its end.
 std::string ReadFile(const std::string& path);
 
 // Calls write(temporary) with the path of a file beside `path` and of the same extension, then
