@@ -70,6 +70,13 @@ void CheckPair(const cv::Mat& left, const std::string& left_name, const cv::Mat&
                               Describe(right) + ".");
 }
 
+cv::Mat To8Bit(const cv::Mat& image) {
+  constexpr double kScale = 1.0 / 257.0;  // 65535 becomes 255
+  cv::Mat converted;
+  image.convertTo(converted, CV_8U, image.depth() == CV_16U ? kScale : 1.0);
+  return converted;
+}
+
 void CheckImageName(const std::string& path) {
   if (cv::haveImageWriter(path)) return;
   throw std::invalid_argument(path + ": no picture format has the extension \"" +

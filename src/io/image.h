@@ -15,6 +15,9 @@ cv::Mat LoadImage(const std::string& path);
 void CheckPair(const cv::Mat& left, const std::string& left_name, const cv::Mat& right,
                const std::string& right_name);
 
+// The image in 8 bit; of 16 bit, the upper ones.
+cv::Mat To8Bit(const cv::Mat& image);
+
 // Throws std::invalid_argument when no picture format has the extension of `path`.
 void CheckImageName(const std::string& path);
 

@@ -25,16 +25,28 @@ std::string Quoted(const std::string& text) {
   return quoted + '"';
 }
 
-}  // namespace
-
-void JsonWriter::Value(const std::string& key, double value) {
+std::string NumberText(const double& value) {
   constexpr int kDigits = 9;
-  Key(key);
+  if (!std::isfinite(value)) return "null";
   std::ostringstream number;
   number.imbue(std::locale::classic());
   number.precision(kDigits);
   number << value;
-  text_ += std::isfinite(value) ? number.str() : "null";
+  return number.str();
+}
+
+template <class T>
+std::string ListText(const std::vector<T>& values, std::string (*text_of)(const T&)) {
+  std::string list = "[";
+  for (const T& value : values) list += (list.size() > 1 ? ", " : "") + text_of(value);
+  return list + ']';
+}
+
+}  // namespace
+
+void JsonWriter::Value(const std::string& key, double value) {
+  Key(key);
+  text_ += NumberText(value);
 }
 
 void JsonWriter::Value(const std::string& key, bool value) {
@@ -49,19 +61,52 @@ void JsonWriter::Value(const std::string& key, const std::string& value) {
 
 void JsonWriter::BeginObject(const std::string& key) {
   Key(key);
-  text_ += "{";
-  indent_.append(kIndent, ' ');
-  first_ = true;
+  Open('{');
 }
 
-void JsonWriter::EndObject() {
-  indent_.resize(indent_.size() - kIndent);
-  text_ += "\n" + indent_ + "}";
+void JsonWriter::EndObject() { Close('}'); }
+
+void JsonWriter::Array(const std::string& key, const std::vector<double>& values) {
+  Key(key);
+  text_ += ListText(values, NumberText);
+}
+
+void JsonWriter::Array(const std::string& key, const std::vector<std::string>& values) {
+  Key(key);
+  text_ += ListText(values, Quoted);
+}
+
+void JsonWriter::BeginArray(const std::string& key) {
+  Key(key);
+  Open('[');
+}
+
+void JsonWriter::BeginObject() {
+  NextLine();
+  Open('{');
+}
+
+void JsonWriter::EndArray() { Close(']'); }
+
+void JsonWriter::NextLine() {
+  text_ += (first_ ? "\n" : ",\n") + indent_;
   first_ = false;
 }
 
 void JsonWriter::Key(const std::string& key) {
-  text_ += (first_ ? "\n" : ",\n") + indent_ + Quoted(key) + ": ";
+  NextLine();
+  text_ += Quoted(key) + ": ";
+}
+
+void JsonWriter::Open(char bracket) {
+  text_ += bracket;
+  indent_.append(kIndent, ' ');
+  first_ = true;
+}
+
+void JsonWriter::Close(char bracket) {
+  indent_.resize(indent_.size() - kIndent);
+  text_ += "\n" + indent_ + bracket;
   first_ = false;
 }
 

@@ -2,11 +2,12 @@
 #define STEREO_SGMP_IO_JSON_WRITER_H_
 
 #include <string>
+#include <vector>
 
 namespace stereo_sgmp {
 
-// Builds one JSON object of numbers, strings, switches and nested objects, in the order of the
-// calls. Numbers that JSON can't hold (infinite, NaN) become null.
+// Builds one JSON object of numbers, strings, switches, lists and nested objects, in the order of
+// the calls. Numbers that JSON can't hold (infinite, NaN) become null.
 class JsonWriter {
  public:
   void Value(const std::string& key, double value);
@@ -19,11 +20,24 @@ class JsonWriter {
   void BeginObject(const std::string& key);
   void EndObject();
 
+  // A list on one line.
+  void Array(const std::string& key, const std::vector<double>& values);
+  void Array(const std::string& key, const std::vector<std::string>& values);
+
+  // Objects from here to the matching EndArray are elements of the list `key`; they are begun
+  // without a key and ended by EndObject.
+  void BeginArray(const std::string& key);
+  void BeginObject();
+  void EndArray();
+
   // The text so far with the outermost object closed.
   std::string Text() const { return text_ + "\n}\n"; }
 
  private:
+  void NextLine();
   void Key(const std::string& key);
+  void Open(char bracket);
+  void Close(char bracket);
 
   std::string text_ = "{";
   std::string indent_ = "  ";

@@ -1,5 +1,6 @@
 #include "io/image.h"
 
+#include <cstdint>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -62,6 +63,13 @@ TEST(Image, PairsMustAgree) {
   ExpectInvalid([&] { CheckPair(image, "l.png", image.rowRange(0, 39), "r.png"); }, "50 x 39");
   ExpectInvalid([&] { CheckPair(image, "l.png", RandomImage(CV_16UC3), "r.png"); }, "16 bit");
   ExpectInvalid([&] { CheckPair(image, "l.png", RandomImage(CV_8UC1), "r.png"); }, "r.png");
+}
+
+TEST(Image, LosesTheLowerBitsIn8Bit) {
+  const cv::Mat deep = (cv::Mat_<std::uint16_t>(1, 3) << 0, 257 * 100, 65535);
+  const cv::Mat expected = (cv::Mat_<std::uint8_t>(1, 3) << 0, 100, 255);
+  EXPECT_EQ(cv::norm(To8Bit(deep), expected, cv::NORM_INF), 0);
+  EXPECT_EQ(cv::norm(To8Bit(expected), expected, cv::NORM_INF), 0);
 }
 
 TEST(Image, IsNotSavedUnderANameWithoutFormat) {
