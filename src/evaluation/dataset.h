@@ -1,34 +1,24 @@
-// Folders of stereo pairs with ground truth, in the layout of the Middlebury evaluation v3.
+// Scenes with ground truth on disk, in the layouts of the public data sets.
 #ifndef STEREO_SGMP_EVALUATION_DATASET_H_
 #define STEREO_SGMP_EVALUATION_DATASET_H_
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include <opencv2/core.hpp>
-
-#include "io/calib.h"
+#include "evaluation/datasets/scene_layout.h"
+#include "evaluation/stereo_scene.h"
 
 namespace stereo_sgmp {
 
-struct StereoScene {
-  std::string name;
-  cv::Mat left;       // im0.png
-  cv::Mat right;      // im1.png
-  cv::Mat disparity;  // disp0GT.pfm: CV_32F, infinite where it is not known
-  cv::Mat mask;       // mask0nocc.png: CV_8U, 255 seen by both cameras; empty without the file
-  std::optional<Calibration> calibration;  // calib.txt, where there is one
-};
-
-// The scenes among `folders` and in them, in the order given and by name within one folder.
-// Throws std::invalid_argument for a folder that neither is nor contains a scene.
-std::vector<std::string> FindScenes(const std::vector<std::string>& folders);
+// The scenes among `paths` and directly in them, in the order given and by name within one
+// folder; see SceneLayout of how they are named. Throws std::invalid_argument for a path that
+// neither is nor contains a scene.
+std::vector<std::string> FindScenes(const std::vector<std::string>& paths);
 
 // Throws std::invalid_argument for files that are missing, malformed or do not fit together.
-StereoScene LoadScene(const std::string& folder);
+StereoScene LoadScene(const std::string& path, const DatasetOptions& options = {});
 
-// Writes the scene into `folder`, which is created if needed.
+// Writes the scene into `folder`, which is created if needed, in the layout of Middlebury v3.
 void SaveScene(const std::string& folder, const StereoScene& scene);
 
 }  // namespace stereo_sgmp
