@@ -8,11 +8,6 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// False for NaN too, as all comparisons with it are.
-cv::Mat IsFinite(const cv::Mat& values) {
-  return cv::abs(values) <= std::numeric_limits<float>::max();
-}
-
 void CheckSameSize(const cv::Mat& a, const cv::Mat& b) {
   if (a.size() == b.size()) return;
   throw std::invalid_argument("A map of " + std::to_string(a.cols) + " x " +
@@ -22,6 +17,11 @@ void CheckSameSize(const cv::Mat& a, const cv::Mat& b) {
 }
 
 }  // namespace
+
+cv::Mat IsFinite(const cv::Mat& values) {
+  // False for NaN too, as all comparisons with it are.
+  return cv::abs(values) <= std::numeric_limits<float>::max();
+}
 
 cv::Mat EvaluatedPixels(const cv::Mat& truth, const cv::Mat& mask, ZeroTruth zero) {
   cv::Mat evaluated = IsFinite(truth);
@@ -34,18 +34,24 @@ cv::Mat EvaluatedPixels(const cv::Mat& truth, const cv::Mat& mask, ZeroTruth zer
 }
 
 cv::Mat BadPixels(const cv::Mat& disparity, const cv::Mat& truth, const cv::Mat& evaluated,
-                  double threshold) {
+                  const ErrorBound& bound) {
   CheckSameSize(disparity, truth);
   CheckSameSize(evaluated, truth);
-  const cv::Mat good = cv::abs(disparity - truth) <= threshold;
+  const cv::Mat error = cv::abs(disparity - truth);
+  cv::Mat good = error <= bound.pixels;
+  if (bound.share > 0.0) good |= error <= bound.share * cv::abs(truth);
   return evaluated & ~good;
 }
 
-double BadPercent(const cv::Mat& disparity, const cv::Mat& truth, const cv::Mat& evaluated,
-                  double threshold) {
+double PercentOf(const cv::Mat& evaluated, const cv::Mat& mask) {
+  CheckSameSize(evaluated, mask);
   const int count = cv::countNonZero(evaluated);
-  if (count == 0) return kNan;
-  return 100.0 * cv::countNonZero(BadPixels(disparity, truth, evaluated, threshold)) / count;
+  return count == 0 ? kNan : 100.0 * cv::countNonZero(evaluated & mask) / count;
+}
+
+double BadPercent(const cv::Mat& disparity, const cv::Mat& truth, const cv::Mat& evaluated,
+                  const ErrorBound& bound) {
+  return PercentOf(evaluated, BadPixels(disparity, truth, evaluated, bound));
 }
 
 double AverageError(const cv::Mat& disparity, const cv::Mat& truth, const cv::Mat& evaluated) {

@@ -19,6 +19,8 @@ class MatcherFlags {
   // Throws std::invalid_argument as PresetOptions and LoadOptionsFile.
   Options ToOptions() const;
 
+  const std::string& preset() const { return preset_; }
+
  private:
   std::string preset_ = "default";
   std::string options_file_;
