@@ -22,8 +22,8 @@ struct IntegratedNormals {
 // where unknown. Their lengths don't matter, nor does the side they point to as long as neighbours
 // agree. `discontinuities`, if not empty, is CV_8U of the same size, 255 at both pixels beside a
 // depth discontinuity: no surface is continued from one such pixel to another.
-// Throws std::invalid_argument for other types and sizes, for a camera
-// that can't be, and where no normal is known.
+// Throws std::invalid_argument for other types and sizes, as StereoCamera::Check, and where no
+// normal is known.
 IntegratedNormals IntegrateNormals(const cv::Mat& normals, const cv::Mat& discontinuities,
                                    const StereoCamera& camera, ThreadPool* pool);
 

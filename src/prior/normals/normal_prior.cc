@@ -63,12 +63,14 @@ void NormalPrior::Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* r
 
 // False where no pixel of the stretch is of one component with its predecessor.
 bool NormalPrior::Join(const int* component_p, const int* component_q, Stretch* stretch) {
+  const auto count = static_cast<std::size_t>(stretch->count);
+  PerPixel<int> joined{};
   int any = 0;
-  for (int i = 0; i < stretch->count; ++i) {
-    const int joined = component_p[i] != 0 && component_p[i] == component_q[i] ? -1 : 0;
-    stretch->joined[static_cast<std::size_t>(i)] = joined;
-    any |= joined;
+  for (std::size_t i = 0; i < count; ++i) {
+    joined[i] = component_p[i] != 0 && component_p[i] == component_q[i] ? -1 : 0;
+    any |= joined[i];
   }
+  stretch->joined = joined;
   return any != 0;
 }
 
@@ -91,14 +93,16 @@ void NormalPrior::FindReached(const Stretch& stretch, Steps* steps) const {
 
 void NormalPrior::Follow(const Stretch& stretch, Steps* steps) const {
   const int limit = shape_.disparities;
+  const auto count = static_cast<std::size_t>(stretch.count);
+  PerPixel<int> at_p;
+  PerPixel<int> at_q;
   steps->differ.fill(0);
   for (std::size_t k = steps->begin; k < steps->end; ++k) {
-    const float scale = family_.scales[k];
-    for (std::size_t i = 0; i < static_cast<std::size_t>(stretch.count); ++i) {
-      const int at_p = IndexOf(scale, stretch.shape_p[i]);
-      const int step = IndexOf(scale, stretch.shape_q[i]) - at_p;
-      const int jump = std::clamp(step, -limit, limit) & stretch.joined[i];
-      steps->at_p[k][i] = static_cast<std::int16_t>(at_p);
+    Rasterize(family_.scales[k], stretch.shape_p, count, &at_p);
+    Rasterize(family_.scales[k], stretch.shape_q, count, &at_q);
+    for (std::size_t i = 0; i < count; ++i) {
+      const int jump = std::clamp(at_q[i] - at_p[i], -limit, limit) & stretch.joined[i];
+      steps->at_p[k][i] = static_cast<std::int16_t>(at_p[i]);
       steps->jump[k][i] = static_cast<std::int16_t>(jump);
       steps->differ[i] |= jump ^ steps->jump[steps->begin][i];
     }
@@ -127,11 +131,23 @@ void NormalPrior::Write(const Stretch& stretch, const Steps& steps, JumpRow* row
   }
 }
 
-// S^ as a disparity index.
+// S^ of a surface as disparity indices.
+void NormalPrior::Rasterize(float scale, const float* shape, std::size_t count,
+                            PerPixel<int>* index) const {
+  const int zero = shape_.min_disparity;
+  const auto lowest = static_cast<float>(zero - kLargestIndex);
+  const auto highest = static_cast<float>(zero + kLargestIndex);
+  int* out = index->data();
+  for (std::size_t i = 0; i < count; ++i) {
+    const float rounded_up = family_.At(scale, shape[i]) + 0.5F;
+    out[i] = Floor(std::min(std::max(rounded_up, lowest), highest)) - zero;
+  }
+}
+
 int NormalPrior::IndexOf(float scale, float e) const {
-  const auto lowest = static_cast<float>(shape_.min_disparity - kLargestIndex);
-  const auto highest = static_cast<float>(shape_.min_disparity + kLargestIndex);
-  return Floor(std::clamp(family_.At(scale, e) + 0.5F, lowest, highest)) - shape_.min_disparity;
+  PerPixel<int> index;
+  Rasterize(scale, &e, 1, &index);
+  return index[0];
 }
 
 const OrientationPrior* NormalPriorBuilder::Build(const NormalPriorSettings& settings,

@@ -53,6 +53,7 @@ class NormalPrior : public OrientationPrior {
   void FindReached(const Stretch& stretch, Steps* steps) const;
   void Follow(const Stretch& stretch, Steps* steps) const;
   void Write(const Stretch& stretch, const Steps& steps, JumpRow* row) const;
+  void Rasterize(float scale, const float* shape, std::size_t count, PerPixel<int>* index) const;
   int IndexOf(float scale, float e) const;
 
   VolumeShape shape_;

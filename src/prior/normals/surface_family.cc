@@ -8,8 +8,8 @@ namespace stereo_sgmp {
 namespace {
 
 // Distance of neighbouring surfaces, pixels and as a part of d + doffs.
-constexpr double kSmallestDistance = 8.0;
-constexpr double kRelativeDistance = 0.2;
+constexpr double kSmallestDistance = 16.0;
+constexpr double kRelativeDistance = 0.3;
 
 SurfaceFamily WithoutScales(const IntegratedNormals& normals, double doffs) {
   SurfaceFamily family;

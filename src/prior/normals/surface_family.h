@@ -23,9 +23,10 @@ struct SurfaceFamily {
   float At(float scale, float e) const { return scale * e - doffs; }
 };
 
-// Surfaces over the whole search range at every pixel, at distances of 8 px or, where that is
-// more, a fifth of d + doffs: slopes are in proportion to d + doffs, so that the nearest surface
-// has about the right one. Denser families were slower and no better.
+// Surfaces over the whole search range at every pixel, at distances of 16 px or, where that is
+// more, 0.3 times d + doffs: slopes are in proportion to d + doffs, so that the nearest surface has
+// about the right one. With 8 px and 0.2 the share of wrong disparities of generated and real
+// scenes changed by up to 3 %, up and down, and aggregation took half as long again.
 // Throws std::invalid_argument where no disparity of the range has a positive d + doffs.
 SurfaceFamily SurfacesAtAllDepths(const IntegratedNormals& normals, double doffs, int min_disparity,
                                   int disparities);
