@@ -149,6 +149,7 @@ TEST(IntegrateNormals, SidesOfPlaneThroughCameraAreNotConnected) {
   StereoCamera camera = OffCenterCamera();
   camera.focal_length = 40.0;
   camera.cx = 10.0;
+  camera.cy = 5.0;
   const cv::Mat_<cv::Vec3f> normals(10, 20, cv::Vec3f(1.0F, 0.0F, 0.0125F));
   ThreadPool pool(1);
   const IntegratedNormals result = IntegrateNormals(normals, cv::Mat(), camera, &pool);
