@@ -23,7 +23,7 @@ constexpr double kTrustedAngle = 0.15;
 // Of the residual. The start is exact where the normals are consistent; with noise of 3 degrees a
 // tolerance of 1e-6 took four times the iterations and changed the slopes' mean error by 5 %.
 constexpr double kTolerance = 1e-3;
-constexpr int kMaxIterations = 300;
+constexpr int kMaxIterations = 100;
 
 using Matrix = Eigen::SparseMatrix<double>;
 using Solver = Eigen::ConjugateGradient<

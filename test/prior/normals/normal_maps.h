@@ -1,6 +1,6 @@
 // Normal maps of surfaces that are known exactly.
-#ifndef STEREO_SGMP_PRIOR_NORMALS_NORMAL_MAPS_H_
-#define STEREO_SGMP_PRIOR_NORMALS_NORMAL_MAPS_H_
+#ifndef STEREO_SGMP_TEST_PRIOR_NORMALS_NORMAL_MAPS_H_
+#define STEREO_SGMP_TEST_PRIOR_NORMALS_NORMAL_MAPS_H_
 
 #include <opencv2/core.hpp>
 
@@ -47,4 +47,4 @@ inline KnownSurface PlaneSurface(cv::Size size, const DisparityPlane& plane,
 
 }  // namespace stereo_sgmp
 
-#endif  // STEREO_SGMP_PRIOR_NORMALS_NORMAL_MAPS_H_
+#endif  // STEREO_SGMP_TEST_PRIOR_NORMALS_NORMAL_MAPS_H_
