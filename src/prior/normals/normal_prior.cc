@@ -1,0 +1,170 @@
+#include "prior/normals/normal_prior.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "prior/segment_writer.h"
+
+namespace stereo_sgmp {
+namespace {
+
+// Far outside of any search range; S^ as an index is limited to it.
+constexpr int kLargestIndex = 16000;
+
+void CheckSize(cv::Size size, const VolumeShape& shape) {
+  if (size == cv::Size(shape.width, shape.height)) return;
+  throw std::invalid_argument("The normal map is " + std::to_string(size.width) + "x" +
+                              std::to_string(size.height) + " pixels; expected the image's size, " +
+                              std::to_string(shape.width) + "x" + std::to_string(shape.height) +
+                              ".");
+}
+
+// floor, which compilers turn into a call for processors of the first SIMD generations.
+int Floor(float value) {
+  const int truncated = static_cast<int>(value);
+  return truncated - (static_cast<float>(truncated) > value ? 1 : 0);
+}
+
+}  // namespace
+
+void NormalPrior::Assign(SurfaceFamily family, const VolumeShape& shape) {
+  CheckSize(family.shape.size(), shape);
+  shape_ = shape;
+  family_ = std::move(family);
+}
+
+void NormalPrior::Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* row) const {
+  row->jump.assign(static_cast<std::size_t>(x_end - x_begin), 0);
+  row->first_segment.resize(row->jump.size());
+  row->segment_count.resize(row->jump.size());
+  row->segments.clear();
+  const int y_p = y - step.dy;
+  if (y_p < 0 || y_p >= shape_.height) return;
+  const int inside_begin = std::max(x_begin, step.dx);
+  const int inside_end = std::min(x_end, shape_.width + step.dx);
+  Stretch stretch;
+  Steps steps;
+  for (int x = inside_begin; x < inside_end; x += kMaxStretch) {
+    stretch.count = std::min(kMaxStretch, inside_end - x);
+    stretch.entry = x - x_begin;
+    stretch.shape_p = family_.shape[y_p] + x - step.dx;
+    stretch.shape_q = family_.shape[y] + x;
+    const int* component_p = family_.component[y_p] + x - step.dx;
+    if (!Join(component_p, family_.component[y] + x, &stretch)) continue;
+    FindReached(stretch, &steps);
+    Follow(stretch, &steps);
+    Write(stretch, steps, row);
+  }
+}
+
+// False where no pixel of the stretch is of one component with its predecessor.
+bool NormalPrior::Join(const int* component_p, const int* component_q, Stretch* stretch) {
+  const auto count = static_cast<std::size_t>(stretch->count);
+  PerPixel<int> joined{};
+  int any = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    joined[i] = component_p[i] != 0 && component_p[i] == component_q[i] ? -1 : 0;
+    any |= joined[i];
+  }
+  stretch->joined = joined;
+  return any != 0;
+}
+
+// Leaves out surfaces that are not the nearest to any disparity of the range in the stretch.
+void NormalPrior::FindReached(const Stretch& stretch, Steps* steps) const {
+  const auto [low, high] = std::minmax_element(stretch.shape_p, stretch.shape_p + stretch.count);
+  const std::vector<float>& scales = family_.scales;
+  steps->begin = 0;
+  steps->end = scales.size();
+  const int last = shape_.disparities - 1;
+  while (steps->end - steps->begin > 1 && IndexOf(scales[steps->end - 2], *low) >= last) {
+    --steps->end;
+  }
+  // The next surface is nearer to the range unless both round to one disparity.
+  while (steps->end - steps->begin > 1 && IndexOf(scales[steps->begin + 1], *high) <= 0 &&
+         (scales[steps->begin + 1] - scales[steps->begin]) * *low > 1.5F) {
+    ++steps->begin;
+  }
+}
+
+void NormalPrior::Follow(const Stretch& stretch, Steps* steps) const {
+  const int limit = shape_.disparities;
+  const auto count = static_cast<std::size_t>(stretch.count);
+  PerPixel<int> at_p;
+  PerPixel<int> at_q;
+  steps->differ.fill(0);
+  for (std::size_t k = steps->begin; k < steps->end; ++k) {
+    Rasterize(family_.scales[k], stretch.shape_p, count, &at_p);
+    Rasterize(family_.scales[k], stretch.shape_q, count, &at_q);
+    for (std::size_t i = 0; i < count; ++i) {
+      const int jump = std::clamp(at_q[i] - at_p[i], -limit, limit) & stretch.joined[i];
+      steps->at_p[k][i] = static_cast<std::int16_t>(at_p[i]);
+      steps->jump[k][i] = static_cast<std::int16_t>(jump);
+      steps->differ[i] |= jump ^ steps->jump[steps->begin][i];
+    }
+  }
+}
+
+void NormalPrior::Write(const Stretch& stretch, const Steps& steps, JumpRow* row) const {
+  for (int pixel = 0; pixel < stretch.count; ++pixel) {
+    const auto i = static_cast<std::size_t>(pixel);
+    const int entry = stretch.entry + pixel;
+    if (steps.differ[i] == 0) {
+      row->jump[static_cast<std::size_t>(entry)] = steps.jump[steps.begin][i];
+      continue;
+    }
+    SegmentWriter writer(entry, shape_.disparities, row);
+    std::size_t k = steps.begin;
+    for (std::size_t next = k + 1; next < steps.end; ++next) {
+      // Of surfaces that round to one disparity the lowest has the cell.
+      if (steps.at_p[next][i] == steps.at_p[k][i]) continue;
+      const int middle = (steps.at_p[k][i] + steps.at_p[next][i]) >> 1;
+      writer.WriteUpTo(middle + 1, steps.jump[k][i]);
+      k = next;
+    }
+    writer.WriteUpTo(shape_.disparities, steps.jump[k][i]);
+    writer.Finish();
+  }
+}
+
+// S^ of a surface as disparity indices.
+void NormalPrior::Rasterize(float scale, const float* shape, std::size_t count,
+                            PerPixel<int>* index) const {
+  const int zero = shape_.min_disparity;
+  const auto lowest = static_cast<float>(zero - kLargestIndex);
+  const auto highest = static_cast<float>(zero + kLargestIndex);
+  int* out = index->data();
+  for (std::size_t i = 0; i < count; ++i) {
+    const float rounded_up = family_.At(scale, shape[i]) + 0.5F;
+    out[i] = Floor(std::min(std::max(rounded_up, lowest), highest)) - zero;
+  }
+}
+
+int NormalPrior::IndexOf(float scale, float e) const {
+  PerPixel<int> index;
+  Rasterize(scale, &e, 1, &index);
+  return index[0];
+}
+
+const OrientationPrior* NormalPriorBuilder::Build(const NormalPriorSettings& settings,
+                                                  const cv::Mat& normals,
+                                                  const cv::Mat& discontinuities,
+                                                  const StereoCamera& camera,
+                                                  const VolumeShape& shape, ThreadPool* pool) {
+  CheckSize(normals.size(), shape);
+  const IntegratedNormals integrated = IntegrateNormals(normals, discontinuities, camera, pool);
+  const double middle = shape.min_disparity + 0.5 * (shape.disparities - 1);
+  prior_.Assign(
+      settings.all_depths
+          ? SurfacesAtAllDepths(integrated, camera.doffs, shape.min_disparity, shape.disparities)
+          : SurfaceAtDepth(integrated, camera.doffs,
+                           settings.disparity != 0.0 ? settings.disparity : middle),
+      shape);
+  return &prior_;
+}
+
+}  // namespace stereo_sgmp
