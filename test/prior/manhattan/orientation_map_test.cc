@@ -100,14 +100,32 @@ TEST(OrientationMap, LinesOfTheNormalsDirectionStopTheSweep) {
   EXPECT_EQ(map.at<std::int16_t>(350 / kShrink, 430 / kShrink), -1) << "behind the line";
 }
 
-// The floor ends at the horizon, however far its lines are swept.
+// The first two lines bound a wall that faces the camera, the last two one that faces right.
+TEST(OrientationMap, PixelsWithTwoNormalsHaveNone) {
+  const StereoCamera camera = CameraOf640x480();
+  const std::vector<LineSegment> lines = {{{100.0, 100.0}, {500.0, 100.0}},
+                                          {{100.0, 100.0}, {100.0, 400.0}},
+                                          Seen(camera, {-1.0, 0.3, 4.0}, {-1.0, 0.3, 2.5})};
+  const cv::Point pixel(150 / kShrink, 250 / kShrink);
+  ManhattanFrame frame;
+  frame.directions = Eigen::Matrix3d::Identity();
+  frame.classes = {0, 1, -1};
+  EXPECT_EQ(MapOrientations(lines, frame, camera, kFull, kSmall).at<std::int16_t>(pixel), 2);
+  frame.classes = {-1, 1, 2};
+  EXPECT_EQ(MapOrientations(lines, frame, camera, kFull, kSmall).at<std::int16_t>(pixel), 0);
+  frame.classes = {0, 1, 2};
+  EXPECT_EQ(MapOrientations(lines, frame, camera, kFull, kSmall).at<std::int16_t>(pixel), -1);
+}
+
+// The front edge of the floor doesn't sweep on beyond the horizon, where the ceiling has a line.
 TEST(OrientationMap, PlanesEndAtTheirHorizon) {
   const StereoCamera camera = CameraOf640x480();
   ManhattanFrame frame;
   frame.directions = Eigen::Matrix3d::Identity();
-  frame.classes = {0, 2};
+  frame.classes = {0, 2, 2};
   const std::vector<LineSegment> lines = {Seen(camera, {-3.0, 1.0, 3.0}, {3.0, 1.0, 3.0}),
-                                          Seen(camera, {1.0, 1.0, 2.5}, {1.0, 1.0, 20.0})};
+                                          Seen(camera, {1.0, 1.0, 2.5}, {1.0, 1.0, 20.0}),
+                                          Seen(camera, {-1.0, -1.0, 2.5}, {-1.0, -1.0, 20.0})};
   const cv::Mat map = MapOrientations(lines, frame, camera, kFull, kSmall);
   EXPECT_EQ(map.at<std::int16_t>(350 / kShrink, 200 / kShrink), 1);
   EXPECT_EQ(cv::countNonZero(map.rowRange(0, 250 / kShrink) != -1), 0);

@@ -109,6 +109,13 @@ TEST(VanishingPoints, OneDirectionAloneIsNoFrame) {
   EXPECT_FALSE(FindManhattanFrame(lines, CameraOf640x480()).has_value());
 }
 
+TEST(VanishingPoints, TwoDirectionsAloneAreNoFrame) {
+  Random random;
+  std::vector<LineSegment> lines;
+  for (int c = 0; c < 2; ++c) AddLines(Frame(20, 0, 0).col(c), 40, &random, &lines);
+  EXPECT_FALSE(FindManhattanFrame(lines, CameraOf640x480()).has_value());
+}
+
 TEST(VanishingPoints, MostOfTheLinesHaveToFit) {
   Random random;
   std::vector<LineSegment> lines;
