@@ -116,6 +116,13 @@ TEST(VanishingPoints, TwoDirectionsAloneAreNoFrame) {
   EXPECT_FALSE(FindManhattanFrame(lines, CameraOf640x480()).has_value());
 }
 
+TEST(VanishingPoints, OneDirectionWithFewOthersIsNoFrame) {
+  Random random;
+  std::vector<LineSegment> lines;
+  for (int c = 0; c < 3; ++c) AddLines(Frame(20, 0, 0).col(c), c == 1 ? 60 : 3, &random, &lines);
+  EXPECT_FALSE(FindManhattanFrame(lines, CameraOf640x480()).has_value());
+}
+
 TEST(VanishingPoints, MostOfTheLinesHaveToFit) {
   Random random;
   std::vector<LineSegment> lines;
