@@ -71,13 +71,12 @@ void FillGrid(const std::vector<SightLine>& lines, PolarGrid* grid) {
   const std::size_t count = std::min(lines.size(), kMaxLines);
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const double sine = std::abs(lines[i].along.x() * lines[j].along.y() -
-                                   lines[i].along.y() * lines[j].along.x());
-      const double angle = std::asin(std::min(sine, 1.0));
       const Vector3d direction = lines[i].normal.cross(lines[j].normal);
       if (direction.norm() < kMinPairSine) continue;
-      grid->Add(direction, std::sqrt(lines[i].length * lines[j].length) *
-                               (std::sin(2.0 * angle) + kPairOffset));
+      const double cosine = lines[i].along.dot(lines[j].along);
+      const double sin_2d =
+          2.0 * std::abs(cosine) * std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+      grid->Add(direction, std::sqrt(lines[i].length * lines[j].length) * (sin_2d + kPairOffset));
     }
   }
   grid->Smooth();
@@ -135,19 +134,15 @@ Triple Search(const std::vector<SightLine>& lines) {
   return best;
 }
 
-// Sine of the angle by which the line would have to turn about its middle to point to the
-// vanishing point of the direction.
-double Residual(const SightLine& line, const Vector3d& direction) {
-  const double distance = line.middle.cross(direction).norm();
-  return line.normal.dot(direction) / std::max(distance, kMinDistance);
-}
-
+// The direction whose vanishing point the line points to if it turns least about its middle.
 std::int8_t ClassOf(const SightLine& line, const Matrix3d& directions, double max_angle) {
   double best = std::sin(max_angle);
   std::int8_t column = -1;
   for (std::int8_t c = 0; c < 3; ++c) {
-    if (line.middle.cross(Vector3d(directions.col(c))).norm() < kMinDistance) continue;
-    const double residual = std::abs(Residual(line, directions.col(c)));
+    const Vector3d direction = directions.col(c);
+    const double distance = line.middle.cross(direction).norm();
+    if (distance < kMinDistance) continue;
+    const double residual = std::abs(line.normal.dot(direction)) / distance;
     if (residual >= best) continue;
     best = residual;
     column = c;

@@ -23,8 +23,8 @@ struct ManhattanFrame {
 };
 
 // Two-line exhaustive search (Lu et al., WACV 2017), then least squares over the rotation. The
-// lines are in pixels of the camera's image; those that come first are searched where there are
-// many. Deterministic.
+// lines are in pixels of the camera's image and have a length; those that come first are searched
+// where there are many. Deterministic.
 //
 // None where the lines don't show a Manhattan world: at least two directions need 8 % of the
 // length of all lines, the third 3 %, all together half of it.

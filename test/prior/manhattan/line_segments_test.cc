@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
+#include "prior/manhattan/line_detector.h"
+
 namespace stereo_sgmp {
 namespace {
 
@@ -28,6 +30,7 @@ double DistanceToEdge(const Eigen::Vector2d& p, const cv::Rect& edge) {
 class LineSegmentsOf : public testing::TestWithParam<int> {};
 
 TEST_P(LineSegmentsOf, FindsTheSidesOfARectangleInItsPixels) {
+  if (!kHasLineDetector) GTEST_SKIP();
   const int scale = GetParam();
   const cv::Rect where(60 * scale, 40 * scale, 200 * scale, 120 * scale);
   const auto lines = FindLineSegments(Rectangle({400 * scale, 240 * scale}, where));
@@ -44,6 +47,7 @@ TEST_P(LineSegmentsOf, FindsTheSidesOfARectangleInItsPixels) {
 INSTANTIATE_TEST_SUITE_P(Scales, LineSegmentsOf, testing::Values(1, 6));
 
 TEST(LineSegments, ColourGivesTheLinesOfItsGray) {
+  if (!kHasLineDetector) GTEST_SKIP();
   const cv::Mat gray = Rectangle({400, 240}, {60, 40, 200, 120});
   for (const int conversion : {cv::COLOR_GRAY2BGR, cv::COLOR_GRAY2BGRA}) {
     cv::Mat color;
@@ -53,10 +57,12 @@ TEST(LineSegments, ColourGivesTheLinesOfItsGray) {
 }
 
 TEST(LineSegments, ShortEdgesAreLeftOut) {
+  if (!kHasLineDetector) GTEST_SKIP();
   EXPECT_TRUE(FindLineSegments(Rectangle({400, 240}, {60, 40, 8, 8})).empty());
 }
 
 TEST(LineSegments, PlainAndTinyImagesHaveNone) {
+  if (!kHasLineDetector) GTEST_SKIP();
   EXPECT_TRUE(FindLineSegments(cv::Mat(240, 320, CV_8UC1, cv::Scalar(90))).empty());
   EXPECT_TRUE(FindLineSegments(cv::Mat(1, 1, CV_8UC1, cv::Scalar(90))).empty());
 }

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
+#include "prior/manhattan/line_detector.h"
 #include "scene/generated_scene.h"
 
 namespace stereo_sgmp {
@@ -68,6 +69,7 @@ double DegreesOff(const GeneratedScene& scene, const ManhattanFrame& frame, int 
 class ManhattanPriorOf : public testing::TestWithParam<SceneKind> {};
 
 TEST_P(ManhattanPriorOf, FindsTheDirectionsOfTheScene) {
+  if (!kHasLineDetector) GTEST_SKIP();
   const Inputs inputs(GetParam());
   ManhattanPrior prior;
   ASSERT_NE(inputs.Estimate(&prior), nullptr);
@@ -85,6 +87,7 @@ TEST_P(ManhattanPriorOf, FindsTheDirectionsOfTheScene) {
 }
 
 TEST_P(ManhattanPriorOf, ReportsPlanesOnTheSurfaces) {
+  if (!kHasLineDetector) GTEST_SKIP();
   const Inputs inputs(GetParam());
   ManhattanPrior prior;
   ASSERT_NE(inputs.Estimate(&prior), nullptr);
@@ -105,6 +108,7 @@ TEST_P(ManhattanPriorOf, ReportsPlanesOnTheSurfaces) {
 }
 
 TEST_P(ManhattanPriorOf, SameForAnyThreads) {
+  if (!kHasLineDetector) GTEST_SKIP();
   const Inputs inputs(GetParam());
   ThreadPool threads(3);
   ManhattanPrior one;
@@ -125,6 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ManhattanPriorOf,
                          testing::Values(SceneKind::kCorridor, SceneKind::kRoom));
 
 TEST(ManhattanPrior, NoneForAPlainImage) {
+  if (!kHasLineDetector) GTEST_SKIP();
   Inputs inputs(SceneKind::kRoom);
   ManhattanPrior prior;
   ASSERT_NE(inputs.Estimate(&prior), nullptr);
@@ -136,6 +141,7 @@ TEST(ManhattanPrior, NoneForAPlainImage) {
 }
 
 TEST(ManhattanPrior, NoneWhereNoDisparityIsConfident) {
+  if (!kHasLineDetector) GTEST_SKIP();
   Inputs inputs(SceneKind::kRoom);
   inputs.confident.setTo(0);
   ManhattanPrior prior;
