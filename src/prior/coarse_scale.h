@@ -25,6 +25,11 @@ struct CoarseScale {
     const double offset = coarse.a * (1.0 - x) / 2.0 + coarse.b * (1.0 - y) * x / y / 2.0;
     return {coarse.a, coarse.b * x / y, x * coarse.c + offset};
   }
+
+  DisparityPlane ToCoarse(const DisparityPlane& full) const {
+    const DisparityPlane sloped{full.a, full.b * y / x, 0.0};
+    return {sloped.a, sloped.b, (full.c - ToFull(sloped).c) / x};
+  }
 };
 
 }  // namespace stereo_sgmp

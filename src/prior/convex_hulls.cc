@@ -1,21 +1,13 @@
 #include "prior/convex_hulls.h"
 
 #include <cstddef>
-#include <limits>
 
 #include <opencv2/imgproc.hpp>
 
 namespace stereo_sgmp {
-namespace {
-
-constexpr std::size_t kMaxSets = std::numeric_limits<std::uint16_t>::max();
-
-}  // namespace
 
 void ConvexHulls::Build(const PlaneMap& map) {
-  sets_.sets.assign(1, PlaneSet());
-  sets_.ids.create(map.labels.size(), CV_16UC1);
-  sets_.ids.setTo(0);
+  painter_.Start(map.labels.size());
   inside_.create(map.labels.size(), CV_8UC1);
   CollectOutlines(map);
   // Planes come in falling order of area, so each set lists the largest first.
@@ -52,26 +44,7 @@ void ConvexHulls::Paint(std::int16_t plane) {
   inside.setTo(0);
   for (cv::Point& corner : hull_) corner -= box.tl();
   cv::fillConvexPoly(inside, hull_, cv::Scalar(255));
-  extended_.assign(sets_.sets.size(), 0);
-  for (int y = 0; y < box.height; ++y) {
-    const std::uint8_t* mask = inside.ptr<std::uint8_t>(y);
-    std::uint16_t* ids = sets_.ids.ptr<std::uint16_t>(box.y + y) + box.x;
-    for (int x = 0; x < box.width; ++x) {
-      if (mask[x] != 0) ids[x] = WithPlane(ids[x], plane);
-    }
-  }
-}
-
-std::uint16_t ConvexHulls::WithPlane(std::uint16_t set, std::int16_t plane) {
-  std::uint16_t& extended = extended_[set];
-  if (extended != 0) return extended;
-  const bool full = sets_.sets[set].count == PlaneSet::kMaxPlanes;
-  if (full || sets_.sets.size() >= kMaxSets) return set;
-  PlaneSet larger = sets_.sets[set];
-  larger.planes[larger.count++] = plane;
-  extended = static_cast<std::uint16_t>(sets_.sets.size());
-  sets_.sets.push_back(larger);
-  return extended;
+  painter_.Paint(plane, inside, box.tl());
 }
 
 }  // namespace stereo_sgmp

@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 
 #include "prior/plane_hypotheses.h"
+#include "prior/plane_set_painter.h"
 #include "prior/plane_sets.h"
 
 namespace stereo_sgmp {
@@ -19,18 +20,16 @@ class ConvexHulls {
   void Build(const PlaneMap& map);
 
   // At the resolution of the labels.
-  const PlaneSets& sets() const { return sets_; }
+  const PlaneSets& sets() const { return painter_.sets(); }
 
  private:
   void CollectOutlines(const PlaneMap& map);
   void Paint(std::int16_t plane);
-  std::uint16_t WithPlane(std::uint16_t set, std::int16_t plane);
 
   std::vector<std::vector<cv::Point>> outlines_;  // ends of each row of a label, per plane
   std::vector<cv::Point> hull_;
   cv::Mat inside_;
-  std::vector<std::uint16_t> extended_;  // per set: it with the current plane; 0 = not yet made
-  PlaneSets sets_;
+  PlaneSetPainter painter_;
 };
 
 }  // namespace stereo_sgmp

@@ -1,9 +1,9 @@
 #include "prior/estimated_prior.h"
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+
+#include "prior/nearest_planes.h"
 
 namespace stereo_sgmp {
 namespace {
@@ -63,33 +63,10 @@ const PlaneSets& EstimatedPrior::SpreadOverSuperpixels(const PriorOptions& optio
 
 const PlaneSets& EstimatedPrior::SpreadOverHulls(const cv::Mat& disparity) {
   hulls_.Build(hypotheses_.map());
-  LabelNearest(disparity);
+  coarse_planes_.clear();
+  for (const CoarsePlane& coarse : hypotheses_.map().planes) coarse_planes_.push_back(coarse.plane);
+  LabelNearestPlanes(hulls_.sets(), coarse_planes_, disparity, &report_.labels);
   return hulls_.sets();
-}
-
-// Of the planes that hold at a pixel the one nearest to its coarse disparity.
-void EstimatedPrior::LabelNearest(const cv::Mat& disparity) {
-  const PlaneSets& sets = hulls_.sets();
-  report_.labels.create(disparity.size(), CV_16SC1);
-  for (int y = 0; y < disparity.rows; ++y) {
-    const float* d = disparity.ptr<float>(y);
-    const std::uint16_t* ids = sets.ids.ptr<std::uint16_t>(y);
-    std::int16_t* labels = report_.labels.ptr<std::int16_t>(y);
-    for (int x = 0; x < disparity.cols; ++x) {
-      const PlaneSet& set = sets.sets[ids[x]];
-      labels[x] = -1;
-      double nearest = std::numeric_limits<double>::infinity();
-      for (std::size_t k = 0; k < set.count; ++k) {
-        const std::int16_t plane = set.planes[k];
-        const DisparityPlane& surface =
-            hypotheses_.map().planes[static_cast<std::size_t>(plane)].plane;
-        const double distance = std::abs(surface.At(x, y) - d[x]);
-        if (distance >= nearest) continue;
-        nearest = distance;
-        labels[x] = plane;
-      }
-    }
-  }
 }
 
 }  // namespace stereo_sgmp

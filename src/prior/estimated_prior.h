@@ -43,13 +43,13 @@ class EstimatedPrior {
                                          ThreadPool* threads);
   const PlaneSets& SpreadOverHulls(const cv::Mat& disparity);
   void ScaleUp(const CoarseScale& scale);
-  void LabelNearest(const cv::Mat& disparity);
 
   PlaneHypotheses hypotheses_;
   Superpixels superpixels_;
   ModalPlanes modal_;
   PlaneSets modal_sets_;
   ConvexHulls hulls_;
+  std::vector<DisparityPlane> coarse_planes_;
   std::vector<DisparityPlane> full_planes_;
   PlaneSetPrior prior_;
   PlanePriors report_;

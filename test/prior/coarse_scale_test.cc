@@ -27,5 +27,14 @@ TEST(CoarseScale, EqualsScaledUpForOneFactor) {
   EXPECT_NEAR(full.c, expected.c, 1e-12);
 }
 
+TEST(CoarseScale, ToCoarseIsTheWayBack) {
+  const CoarseScale scale = CoarseScale::Between({1441, 995}, {360, 249});
+  const DisparityPlane coarse{0.3, -0.2, 11.0};
+  const DisparityPlane back = scale.ToCoarse(scale.ToFull(coarse));
+  EXPECT_NEAR(back.a, coarse.a, 1e-12);
+  EXPECT_NEAR(back.b, coarse.b, 1e-12);
+  EXPECT_NEAR(back.c, coarse.c, 1e-12);
+}
+
 }  // namespace
 }  // namespace stereo_sgmp
