@@ -101,7 +101,7 @@ def draw_seconds(results, name):
         axes.barh(position, seconds, color=styles[variant].color, height=0.75)
         text = "%.2f s" % seconds
         if variant != BASELINE and BASELINE in times:
-            text += "  " + overhead_text(seconds, times[BASELINE])
+            text += "  " + overhead_text(results, variant)
         axes.annotate(text, (seconds, position), (4, 0), textcoords="offset points", va="center")
     axes.set_yticks(range(len(times)))
     axes.set_yticklabels([shorten(styles[variant].label) for variant in times])

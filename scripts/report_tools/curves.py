@@ -9,7 +9,7 @@ from report_tools.style import is_known, shorten, variant_styles
 _COLUMNS = (4, 5, 3)  # of which the one that leaves the fewest places empty is taken
 _PLOT_WIDTH = 2.5  # inches
 _PLOT_HEIGHT = 2.1
-_TITLE_LENGTH = 30
+_TITLE_LENGTH = 26
 _HEADROOM = 1.5  # times the highest line of SGM and the priors; far worse methods leave the plot
 
 

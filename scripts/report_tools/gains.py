@@ -1,4 +1,4 @@
-"""How much better than plain SGM: fewer errors, and what they cost in time."""
+"""How much better than plain SGM, and what it costs in time."""
 import math
 from typing import NamedTuple, Optional
 
@@ -68,13 +68,17 @@ def means(results, read):
             for variant in variants}, len(scenes)
 
 
+def read_seconds(score):
+    return score.seconds
+
+
 def mean_seconds(results):
     """By variant; empty where there is no scene of which all variants with times have one."""
-    times, count = means(results, lambda score: score.seconds)
+    times, count = means(results, read_seconds)
     return times if count else {}
 
 
-def overhead_text(seconds, base):
-    """Like "+12 %"; "-" where it cannot be said."""
-    less = percent_less(seconds, base)
-    return "-" if less is None else "%+.0f %%" % -less
+def overhead_text(results, variant):
+    """The mean of the overheads over SGM, like "+12 %"; "-" where it cannot be said."""
+    less = gains_over_baseline(results, variant, read_seconds).mean_of_gains
+    return "-" if less is None or variant == BASELINE else "%+.0f %%" % -less

@@ -31,12 +31,16 @@ def _head(results, command):
              (", ".join("%g" % threshold for threshold in results.thresholds),
               results.report_threshold),
              "Threads: " + tables.number(results.threads, 0)]
+    if results.min_error_share:
+        items.append("Errors up to %g %% of the true disparity do not count" %
+                     (100.0 * results.min_error_share))
     blocks = [Heading(1, "Evaluation of stereo matching with orientation priors"),
               Bullets(tuple(items)),
               Paragraph("Errors are percentages of the evaluated pixels: \"bad T\" are those wrong "
                         "by more than T pixels of the ground truth. The raw map is unfiltered, "
-                        "the dense map has its holes filled. Means are over the scenes that all "
-                        "variants have; \"-\" stands for what was not measured.")]
+                        "the dense map has its holes filled, and of the published map the valid "
+                        "pixels are counted. Means are over the scenes that all variants have; "
+                        "\"-\" stands for what was not measured.")]
     if command:
         blocks += [Paragraph("To run it again:"), Code(command)]
     return blocks + [Paragraph("To draw the figures and this page anew from results.json:"),
@@ -116,7 +120,10 @@ def _maps(results):
     of_scenes = {scene.name: _scene_pictures(results, scene.name) for scene in results.scenes}
     if not any(pictures.columns for pictures in of_scenes.values()):
         return blocks + [Paragraph("There are no pictures in maps/.")]
-    blocks.append(Paragraph("Disparities above the maps of their errors."))
+    blocks.append(Paragraph(
+        "Raw disparities above the maps of their errors above %g px: light gray is right, yellow "
+        "to dark red is wrong by more and more, blue has no disparity, and what is nearly black is "
+        "not evaluated." % results.report_threshold))
     for name, pictures in of_scenes.items():
         if pictures.columns:
             blocks += [Heading(3, name), pictures]

@@ -7,6 +7,7 @@ import os
 from typing import Dict, NamedTuple, Optional, Tuple
 
 BASELINE = "sgm"
+KINDS = ("raw", "dense", "published")  # of disparity maps
 _FORMAT = 1
 _LARGEST = 1e300
 
@@ -28,6 +29,7 @@ class Score(NamedTuple):
     """One variant on one scene."""
     bad_raw: Numbers  # percent of wrong pixels at each threshold, unfiltered map
     bad_dense: Numbers  # the same of the filled map
+    bad_published: Numbers  # of the filtered map: valid, but wrong
     invalid: Optional[float]  # percent of pixels that the published map leaves out
     average_error: Optional[float]  # pixels
     area_u: Optional[float]
@@ -50,6 +52,7 @@ class Results(NamedTuple):
     folder: str
     thresholds: Tuple[float, ...]
     report_threshold: float  # of the curves and gains; one of `thresholds`
+    min_error_share: Optional[float]  # errors below this share of the true disparity are none
     options: dict
     threads: Optional[float]
     scenes: Tuple[Scene, ...]
@@ -75,7 +78,7 @@ class Results(NamedTuple):
         return variants, scenes if variants else []
 
     def bad(self, kind, threshold):
-        """What reads the errors above `threshold` out of a score; `kind` is "raw" or "dense"."""
+        """What reads the errors above `threshold` out of a score; `kind` is one of KINDS."""
         index = self.thresholds.index(threshold)
         return lambda score: getattr(score, "bad_" + kind)[index]
 
@@ -168,9 +171,9 @@ def _read_curve(result, where):
 def _read_score(result, thresholds, where):
     scalars = {key: _number(result, key, where) for key in (
         "invalid", "average_error", "area_u", "area_confidence", "area_oracle", "seconds")}
-    return Score(bad_raw=_numbers(result, "bad_raw", where, len(thresholds)),
-                 bad_dense=_numbers(result, "bad_dense", where, len(thresholds)),
-                 curve=_read_curve(result, where), **scalars)
+    errors = {key: _numbers(result, key, where, len(thresholds))
+              for key in ("bad_" + kind for kind in KINDS)}
+    return Score(curve=_read_curve(result, where), **scalars, **errors)
 
 
 def _read_scenes(root, where):
@@ -249,5 +252,6 @@ def read_results(folder):
     scenes = _read_scenes(root, path)
     variants = _read_variants(root, path)
     scores = _read_scores(root, thresholds, scenes, variants, path)
-    return Results(folder, thresholds, report_threshold, options, threads, scenes, variants,
-                   scores)
+    min_error_share = _number(root, "min_error_share", path)
+    return Results(folder, thresholds, report_threshold, min_error_share, options, threads, scenes,
+                   variants, scores)

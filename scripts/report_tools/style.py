@@ -39,8 +39,14 @@ _KNOWN = {
     "mw": VariantStyle("SGM-MW", "#cc79a7", "--"),
 }
 
-# Of other methods, in the order in which they come: grays and browns, dotted.
-_OTHERS = ("#777777", "#a6a6a6", "#7f5539", "#b08968", "#4b5d67", "#9aa5b1")
+# OpenCV's StereoSGBM is gray; other methods are brown and blue-gray in the order in which they
+# come. All of them are dotted.
+_OPENCV = {
+    "sgbm": VariantStyle("OpenCV SGBM", "#777777", ":"),
+    "sgbm_3way": VariantStyle("OpenCV 3WAY", "#b5b5b5", ":"),
+    "hh": VariantStyle("OpenCV HH", "#444444", ":"),
+}
+_OTHERS = ("#7f5539", "#b08968", "#4b5d67", "#8fa3b3")
 
 _LONGEST = 26
 
@@ -60,8 +66,9 @@ def is_known(variant):
 
 def variant_styles(variants):
     """Of each variant by its name."""
-    others = [variant for variant in variants if variant not in _KNOWN]
-    styles = {variant: _KNOWN[variant] for variant in variants if variant in _KNOWN}
+    named = {**_KNOWN, **_OPENCV}
+    styles = {variant: named[variant] for variant in variants if variant in named}
+    others = [variant for variant in variants if variant not in named]
     for index, variant in enumerate(others):
         styles[variant] = VariantStyle(variant, _OTHERS[index % len(_OTHERS)], ":")
     return styles

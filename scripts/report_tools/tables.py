@@ -2,8 +2,8 @@
 from typing import NamedTuple, Tuple
 
 from report_tools.gains import (
-    WORSE, gains_over_baseline, mean_seconds, means, overhead_text, rivals, scenes_by_gain)
-from report_tools.results import BASELINE
+    WORSE, gains_over_baseline, means, overhead_text, read_seconds, rivals, scenes_by_gain)
+from report_tools.results import BASELINE, KINDS
 from report_tools.style import variant_styles
 
 
@@ -43,7 +43,7 @@ def per_scene(results, read):
 def _measures(results):
     """Caption, and what reads it out of a score."""
     measures = [("%s bad %g" % (kind, threshold), results.bad(kind, threshold))
-                for kind in ("raw", "dense") for threshold in results.thresholds]
+                for kind in KINDS for threshold in results.thresholds]
     return measures + [("invalid, %", lambda score: score.invalid),
                        ("average error, px", lambda score: score.average_error),
                        ("area by U", lambda score: score.area_u),
@@ -100,12 +100,10 @@ def _gain_cell(of_variant):
 
 
 def seconds(results):
-    """Run times per scene; below, their mean and the time over that of SGM."""
-    table = per_scene(results, lambda score: score.seconds)
-    times = mean_seconds(results)
-    overhead = ("overhead over SGM", *(
-        "-" if variant == BASELINE else overhead_text(times.get(variant), times.get(BASELINE))
-        for variant in results.variants))
+    """Run times per scene; below, their mean and that of the time over SGM's."""
+    table = per_scene(results, read_seconds)
+    overhead = ("mean overhead over SGM", *(overhead_text(results, variant)
+                                            for variant in results.variants))
     names = tuple("%s (%d x %d, %d)" % (scene.name, scene.width, scene.height, scene.disparities)
                   for scene in results.scenes)
     rows = tuple((name, *row[1:]) for name, row in zip(names, table.rows))
