@@ -58,7 +58,8 @@ def _curves(results):
     blocks = [Heading(2, "Error against completeness")]
     for order in (BY_U, BY_CONFIDENCE):
         if draw_curves(results, order):
-            blocks += [Paragraph("Errors of the most certain pixels by the %s." % order.caption),
+            blocks += [Paragraph("Errors of the most certain pixels by the %s. Lines far above those "
+                                 "of SGM and its priors leave the plots." % order.caption),
                        _figure(order.name, "Error against completeness by the " + order.caption)]
         else:
             blocks.append(Paragraph("There are no curves by the %s." % order.caption))

@@ -9,7 +9,7 @@ import made_results
 from report_tools.bars import draw_gains, draw_seconds
 from report_tools.curves import BY_CONFIDENCE, BY_U, draw_curves, mean_lines, scene_lines
 from report_tools.figures import drawing
-from report_tools.results import read_results
+from report_tools.read_results import read_results
 from report_tools.style import shorten, variant_styles
 
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"

@@ -5,7 +5,7 @@ import unittest
 import made_results
 from report_tools import tables
 from report_tools.gains import gains_over_baseline, percent_less, scenes_by_gain
-from report_tools.results import read_results
+from report_tools.read_results import read_results
 
 
 def read(content):

@@ -5,7 +5,7 @@ import tempfile
 import unittest
 
 import made_results
-from report_tools.results import ReportError, read_results
+from report_tools.read_results import ReportError, read_results
 
 
 class ResultsTest(unittest.TestCase):
