@@ -3,7 +3,7 @@ from report_tools.figures import Sheet
 from report_tools.gains import (
     gains_over_baseline, mean_seconds, overhead_text, rivals, scenes_by_gain)
 from report_tools.results import BASELINE
-from report_tools.style import shorten, variant_styles
+from report_tools.style import is_known, shorten, variant_styles
 
 _WIDTH = 10.0  # inches, at most
 _BAR_WIDTH = 0.3  # at most
@@ -12,7 +12,7 @@ _LETTER_HEIGHT = 0.05
 _NAME_LENGTH = 20
 _BARS_PER_ROW = 96
 _GAP = 1.0  # between the groups, in bars
-_LOWEST = -50.0  # percent: where other methods are far worse, the gains would not be seen
+_LOWEST = -50.0  # percent, where bars are cut at the latest
 
 
 def _rows(names, per_group):
@@ -23,27 +23,39 @@ def _rows(names, per_group):
     return [names[start:start + length] for start in range(0, len(names), length)]
 
 
-def _draw_group(axes, position, gains, styles):
-    """The bars of one scene, from `position` on; those cut off say their value."""
+def _gains_of(variants, gains):
+    return [gain for variant in variants for gain in gains[variant].by_scene.values()]
+
+
+def _lowest_bar(gains):
+    """Where bars are cut: beside those of far worse methods, small gains would not be seen."""
+    own = _gains_of(filter(is_known, gains), gains)
+    if not own:
+        return _LOWEST
+    return max(_LOWEST, min(own + [-0.5 * max(own), -5.0]))
+
+
+def _draw_group(axes, position, gains, styles, lowest):
+    """The bars of one scene, from `position` on; those cut at `lowest` say their value."""
     for offset, (variant, gain) in enumerate(gains.items()):
         if gain is None:
             continue
-        axes.bar(position + offset, max(gain, _LOWEST), width=1.0, align="edge",
+        axes.bar(position + offset, max(gain, lowest), width=1.0, align="edge",
                  color=styles[variant].color, edgecolor="white", linewidth=0.4)
-        if gain < _LOWEST:
-            axes.annotate("%.0f" % gain, (position + offset + 0.5, _LOWEST), (0, -2),
+        if gain < lowest:
+            axes.annotate("%.0f" % gain, (position + offset + 0.5, lowest), (0, -2),
                           textcoords="offset points", rotation=90, ha="center", va="top",
                           fontsize=7)
 
 
-def _draw_row(axes, names, gains, styles, length):
+def _draw_row(axes, names, gains, styles, length, lowest):
     """One row of groups; `gains` by variant, `length` the groups of the longest row."""
     step = len(gains) + _GAP
     for index, name in enumerate(names):
         of_scene = {variant: of_variant.by_scene.get(name) for variant, of_variant in gains.items()}
-        _draw_group(axes, index * step, of_scene, styles)
+        _draw_group(axes, index * step, of_scene, styles, lowest)
     for variant, of_variant in gains.items():
-        if of_variant.mean_of_gains is not None and of_variant.mean_of_gains >= _LOWEST:
+        if of_variant.mean_of_gains >= lowest:
             axes.axhline(of_variant.mean_of_gains, color=styles[variant].color, linestyle="--",
                          linewidth=0.9, zorder=0.8)
     axes.axhline(0, color="black", linewidth=0.8)
@@ -56,14 +68,14 @@ def _draw_row(axes, names, gains, styles, length):
     axes.set_ylabel("fewer errors than SGM, %")
 
 
-def _limits(gains):
-    values = [gain for of_variant in gains.values() for gain in of_variant.by_scene.values()]
-    lowest, highest = min(values + [0.0]), max(values + [0.0])
-    below = 0.05 if lowest < 0 else 0.0
-    if lowest < _LOWEST:
-        lowest, below = _LOWEST, 0.2  # room for the values
-    extent = max(highest - lowest, 1.0)
-    return lowest - below * extent, highest + 0.05 * extent
+def _limits(gains, lowest):
+    values = _gains_of(gains, gains)
+    bottom, top = min(values + [0.0]), max(values + [0.0])
+    below = 0.05 if bottom < 0 else 0.0
+    if bottom < lowest:
+        bottom, below = lowest, 0.2  # room for the values
+    extent = max(top - bottom, 1.0)
+    return bottom - below * extent, top + 0.05 * extent
 
 
 def draw_gains(results, read, name):
@@ -81,10 +93,10 @@ def draw_gains(results, read, name):
     sheet = Sheet(min(_WIDTH, 3.0 + _BAR_WIDTH * bars),
                   (_ROW_HEIGHT + _LETTER_HEIGHT * longest_name) * len(rows),
                   [styles[variant] for variant in gains], len(rows))
-    limits = _limits(gains)
+    lowest = _lowest_bar(gains)
     for axes, row in zip(sheet.plots, rows):
-        _draw_row(axes, row, gains, styles, len(rows[0]))
-        axes.set_ylim(limits)
+        _draw_row(axes, row, gains, styles, len(rows[0]), lowest)
+        axes.set_ylim(_limits(gains, lowest))
     sheet.save(results.folder, name)
     return True
 

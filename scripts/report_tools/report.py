@@ -37,9 +37,10 @@ def _head(results, command):
     blocks = [Heading(1, "Evaluation of stereo matching with orientation priors"),
               Bullets(tuple(items)),
               Paragraph("Errors are percentages of the evaluated pixels: \"bad T\" are those wrong "
-                        "by more than T pixels of the ground truth. The raw map is unfiltered, "
-                        "the dense map has its holes filled, and of the published map the valid "
-                        "pixels are counted. Means are over the scenes that all variants have; "
+                        "by more than T pixels of the ground truth. The raw map is unfiltered; "
+                        "where it has no disparity, as that of OpenCV, it is wrong. The dense map "
+                        "has its holes filled, and of the published map the valid pixels are "
+                        "counted. Means are over the scenes that all variants have; "
                         "\"-\" stands for what was not measured.")]
     if command:
         blocks += [Paragraph("To run it again:"), Code(command)]
@@ -58,8 +59,8 @@ def _curves(results):
     blocks = [Heading(2, "Error against completeness")]
     for order in (BY_U, BY_CONFIDENCE):
         if draw_curves(results, order):
-            blocks += [Paragraph("Errors of the most certain pixels by the %s. Lines far above those "
-                                 "of SGM and its priors leave the plots." % order.caption),
+            blocks += [Paragraph("Errors of the most certain pixels by the %s. Lines far above "
+                                 "those of SGM and its priors leave the plots." % order.caption),
                        _figure(order.name, "Error against completeness by the " + order.caption)]
         else:
             blocks.append(Paragraph("There are no curves by the %s." % order.caption))

@@ -58,6 +58,15 @@ class FiguresTest(unittest.TestCase):
         draw_gains(results, results.bad("raw", 2), "gains")
         self.assertIn("-230", self.texts("gains"))
 
+    def test_small_gains_are_not_dwarfed_by_far_worse_methods(self):
+        results = self.read(made_results.document(["aloe"], ["sgm", "epi", "other"], [
+            made_results.result("aloe", "sgm", 10, 1.0), made_results.result("aloe", "epi", 8, 1.0),
+            made_results.result("aloe", "other", 13, 1.0)]))
+        draw_gains(results, results.bad("raw", 2), "gains")
+        texts = self.texts("gains")
+        self.assertIn("-30", texts)  # is cut at -10
+        self.assertNotIn("\u221230", texts)  # on the axis
+
     def test_no_gains_without_sgm(self):
         results = self.read(made_results.plausible(["aloe"], ["epi", "gs"]))
         self.assertFalse(draw_gains(results, results.bad("raw", 2), "gains"))
