@@ -143,3 +143,19 @@ build() {
   run_logged "$folder/build.log" "Building $name/" \
     cmake --build "$folder" --parallel "$cores" --target "${targets[@]}"
 }
+
+# The programs, without the tests, in build/.
+build_release() {
+  build "$repo/build" -DCMAKE_BUILD_TYPE=Release -DSTEREO_SGMP_WARNINGS_AS_ERRORS=ON \
+    -DSTEREO_SGMP_BUILD_TESTS=OFF
+}
+
+# make_real_scenes FOLDER: the pairs that Debian packages carry, in FOLDER/scenes.
+make_real_scenes() {
+  # An image of a machine may have packages but no package lists to download others by.
+  if [[ ! -e $1/scenes/aloe/calib.txt ]] && ! apt-cache show opencv-doc > /dev/null 2>&1; then
+    update_package_lists
+  fi
+  run_logged "$1/real_scenes.log" "Extracting the real pairs from python3-skimage, opencv-doc" \
+    /usr/bin/python3 "$repo/scripts/demo_tools/real_scenes.py" "$1/scenes"
+}

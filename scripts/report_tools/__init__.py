@@ -1,0 +1,1 @@
+"""Figures and report of the folder that `evaluate --report` writes."""
