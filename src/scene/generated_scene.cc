@@ -5,22 +5,24 @@
 #include <cmath>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include "common/thread_pool.h"
+#include "scene/ground_truth.h"
 #include "scene/layouts.h"
 #include "scene/renderer.h"
 #include "scene/sensor.h"
+#include "scene/world.h"
 
 namespace stereo_sgmp {
 namespace {
 
-constexpr std::array<std::pair<SceneKind, const char*>, 5> kNames{
+constexpr std::array<std::pair<SceneKind, const char*>, 6> kNames{
     {{SceneKind::kCorridor, "corridor"},
      {SceneKind::kSlantedPlane, "slanted_plane"},
      {SceneKind::kRoom, "room"},
      {SceneKind::kFrontoParallel, "fronto_parallel"},
-     {SceneKind::kFence, "fence"}}};
+     {SceneKind::kFence, "fence"},
+     {SceneKind::kCurved, "curved"}}};
 
 // A wide-angle camera without baseline.
 StereoCamera CameraFor(cv::Size size) {
@@ -45,13 +47,13 @@ void CheckArguments(cv::Size size, int num_disparities) {
 // Largest 1 / z of what the camera sees.
 double NearestInverseDepth(const World& world, const StereoCamera& camera, cv::Size size) {
   constexpr int kSteps = 64;
-  const std::vector<ProjectedPatch> patches = Project(world, LeftView(camera));
+  const WorldView view(world, LeftView(camera));
   double nearest = 0.0;
   for (int j = 0; j <= kSteps; ++j) {
     for (int i = 0; i <= kSteps; ++i) {
       const double x = (size.width - 1.0) * i / kSteps;
       const double y = (size.height - 1.0) * j / kSteps;
-      nearest = std::max(nearest, CastRay(patches, x, y).w);
+      nearest = std::max(nearest, view.Cast(x, y).point.w);
     }
   }
   return nearest;
@@ -65,6 +67,8 @@ World WorldOf(SceneKind kind, std::uint64_t seed) {
       return FrontoParallelWorld(seed);
     case SceneKind::kFence:
       return FenceWorld(seed);
+    case SceneKind::kCurved:
+      return CurvedWorld(seed);
     case SceneKind::kCorridor:
       return CorridorWorld(seed);
     case SceneKind::kSlantedPlane:
@@ -73,25 +77,38 @@ World WorldOf(SceneKind kind, std::uint64_t seed) {
   throw std::logic_error("There is no world for this kind of scene.");
 }
 
+// The right camera's sensor, from the left one's.
+Sensor RightSensor(Sensor sensor, const SceneQuality& quality) {
+  sensor.vignetting = quality.right_vignetting;
+  sensor.gain = quality.gain;
+  sensor.offset = quality.offset;
+  ++sensor.seed;
+  return sensor;
+}
+
 GeneratedScene Photograph(World world, const StereoCamera& camera, cv::Size size,
                           int num_disparities, const SceneQuality& quality, std::uint64_t seed) {
-  for (Patch& patch : world.patches) {
-    patch.material.contrast *= static_cast<float>(quality.contrast);
-  }
+  const auto contrast = static_cast<float>(quality.contrast);
+  for (Patch& patch : world.patches) patch.material.contrast *= contrast;
+  for (RoundSurface& surface : world.round_surfaces) surface.material.contrast *= contrast;
   ThreadPool pool(0);
   const ValueNoise noise(seed);
   const RowShift shift{quality.vertical_scale, quality.vertical_offset};
+  const Sensor sensor{camera.cx, camera.cy, quality.vignetting, quality.blur,
+                      1.0,       0.0,       quality.noise,      2 * seed};
   GeneratedScene scene;
   scene.camera = camera;
   scene.num_disparities = num_disparities;
-  Sensor sensor{camera.cx, camera.cy, quality.vignetting, quality.blur,
-                1.0,       0.0,       quality.noise,      2 * seed};
+  scene.world_rotation = world.rotation;
   scene.left = Expose(sensor, RenderView(world, LeftView(camera), size, {}, noise, &pool));
-  sensor.gain = quality.gain;
-  sensor.offset = quality.offset;
-  sensor.seed = 2 * seed + 1;
-  scene.right = Expose(sensor, RenderView(world, RightView(camera), size, shift, noise, &pool));
-  RenderGroundTruth(world, camera, shift, &pool, size, &scene.disparity, &scene.mask);
+  scene.right = Expose(RightSensor(sensor, quality),
+                       RenderView(world, RightView(camera), size, shift, noise, &pool));
+  GroundTruth truth = RenderGroundTruth(world, camera, shift, size, &pool);
+  scene.disparity = truth.disparity;
+  scene.mask = truth.mask;
+  scene.normals = truth.normals;
+  scene.labels = truth.labels;
+  scene.planes = std::move(truth.planes);
   return scene;
 }
 

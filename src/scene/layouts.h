@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "scene/patch.h"
+#include "scene/world.h"
 
 namespace stereo_sgmp {
 
@@ -14,6 +14,7 @@ World CorridorWorld(std::uint64_t seed);
 World RoomWorld(std::uint64_t seed);
 World FrontoParallelWorld(std::uint64_t seed);
 World FenceWorld(std::uint64_t seed);
+World CurvedWorld(std::uint64_t seed);
 
 }  // namespace stereo_sgmp
 

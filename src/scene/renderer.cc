@@ -1,13 +1,6 @@
 #include "scene/renderer.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <vector>
-
-#include <Eigen/Geometry>
 
 namespace stereo_sgmp {
 namespace {
@@ -18,64 +11,36 @@ constexpr int kRaysPerSide = 2;  // per pixel
 class Shader {
  public:
   Shader(const World& world, const PinholeView& view, const ValueNoise& noise)
-      : world_(world), noise_(noise), projected_(Project(world, view)) {
-    for (const Patch& patch : world.patches) {
-      surfaces_.push_back({patch.edge_u.cross(patch.edge_v).normalized(), patch.edge_u.norm(),
-                           patch.edge_v.norm()});
-    }
-  }
+      : world_(world), noise_(noise), world_view_(world, view) {}
 
   cv::Vec3f ColorAt(double x, double y) const {
-    const Hit hit = CastRay(projected_, x, y);
-    if (hit.patch < 0) return {};
-    const Material& material = world_.patches[static_cast<std::size_t>(hit.patch)].material;
-    return material.albedo * (1.0F + material.contrast * Noise(hit)) * Light(hit);
+    const Hit hit = world_view_.Cast(x, y);
+    if (hit.surface < 0) return {};
+    const Material& material = world_.MaterialOf(hit.surface);
+    const auto footprint = static_cast<float>(world_view_.Footprint(hit, x, y) / kRaysPerSide);
+    return material.albedo * (1.0F + material.contrast * Noise(hit, material, footprint)) *
+           Light(hit, x, y);
   }
 
  private:
-  struct Surface {
-    Eigen::Vector3d normal;
-    double length_u;  // metres
-    double length_v;
-  };
-
-  float Noise(const Hit& hit) const {
-    // Keeps the textures of different patches apart.
+  float Noise(const Hit& hit, const Material& material, float footprint) const {
+    // Keeps the textures of different surfaces apart.
     constexpr double kApartS = 37.3;
     constexpr double kApartT = 71.9;
-    const auto i = static_cast<std::size_t>(hit.patch);
-    const Surface& surface = surfaces_[i];
-    return noise_.At(hit.u * surface.length_u + kApartS * hit.patch,
-                     hit.v * surface.length_v + kApartT * hit.patch,
-                     world_.patches[i].material.octaves, Footprint(hit));
-  }
-
-  // Metres of surface from one ray to the next, along its most foreshortened edge.
-  float Footprint(const Hit& hit) const {
-    const auto i = static_cast<std::size_t>(hit.patch);
-    const ProjectedPatch& p = projected_[i];
-    const auto change = [&](const ProjectedPatch::Linear& numerator, double ratio) {
-      return (std::abs(numerator.dx - ratio * p.w.dx) + std::abs(numerator.dy - ratio * p.w.dy)) /
-             (hit.w * kRaysPerSide);
-    };
-    return static_cast<float>(std::max(change(p.uw, hit.u) * surfaces_[i].length_u,
-                                       change(p.vw, hit.v) * surfaces_[i].length_v));
+    return noise_.At(hit.point.s + kApartS * hit.surface, hit.point.t + kApartT * hit.surface,
+                     material.octaves, footprint);
   }
 
   // Lambert's law for the one light, and the ambient part.
-  float Light(const Hit& hit) const {
-    const auto i = static_cast<std::size_t>(hit.patch);
-    const Patch& patch = world_.patches[i];
-    const Eigen::Vector3d to_light =
-        world_.light - (patch.origin + hit.u * patch.edge_u + hit.v * patch.edge_v);
-    const double cosine = std::abs(surfaces_[i].normal.dot(to_light)) / to_light.norm();
+  float Light(const Hit& hit, double x, double y) const {
+    const Eigen::Vector3d to_light = world_.light - world_view_.PointAt(hit, x, y);
+    const double cosine = std::abs(world_view_.NormalAt(hit, x, y).dot(to_light)) / to_light.norm();
     return world_.ambient + (1.0F - world_.ambient) * static_cast<float>(cosine);
   }
 
   const World& world_;
   const ValueNoise& noise_;
-  std::vector<ProjectedPatch> projected_;
-  std::vector<Surface> surfaces_;
+  WorldView world_view_;
 };
 
 cv::Vec3f PixelColor(const Shader& shader, const RowShift& shift, int x, int y) {
@@ -92,15 +57,6 @@ cv::Vec3f PixelColor(const Shader& shader, const RowShift& shift, int x, int y) 
 
 }  // namespace
 
-PinholeView LeftView(const StereoCamera& camera) {
-  return {camera.focal_length, camera.cx, camera.cy, Eigen::Vector3d::Zero()};
-}
-
-PinholeView RightView(const StereoCamera& camera) {
-  return {camera.focal_length, camera.cx + camera.doffs, camera.cy,
-          Eigen::Vector3d(camera.baseline, 0.0, 0.0)};
-}
-
 cv::Mat_<cv::Vec3f> RenderView(const World& world, const PinholeView& view, cv::Size size,
                                const RowShift& shift, const ValueNoise& noise, ThreadPool* pool) {
   const Shader shader(world, view, noise);
@@ -111,38 +67,6 @@ cv::Mat_<cv::Vec3f> RenderView(const World& world, const PinholeView& view, cv::
     }
   });
   return picture;
-}
-
-void RenderGroundTruth(const World& world, const StereoCamera& camera, const RowShift& right_shift,
-                       ThreadPool* pool, cv::Size size, cv::Mat* disparity, cv::Mat* mask) {
-  constexpr std::uint8_t kNothing = 0;
-  constexpr std::uint8_t kOccluded = 128;
-  constexpr std::uint8_t kVisible = 255;
-  constexpr double kRounding = 1e-9;
-  const std::vector<ProjectedPatch> left = Project(world, LeftView(camera));
-  const std::vector<ProjectedPatch> right = Project(world, RightView(camera));
-  disparity->create(size, CV_32F);
-  mask->create(size, CV_8U);
-  const auto seen_from_right = [&](const Hit& hit, double d, int x, int y) {
-    const double right_x = x - d;
-    const double right_y = right_shift.scale * y + right_shift.offset;
-    const bool inside =
-        right_x >= 0.0 && right_x <= size.width - 1 && right_y >= 0.0 && right_y <= size.height - 1;
-    return inside && CastRay(right, right_x, y).w <= hit.w * (1.0 + kRounding);
-  };
-  pool->ForRanges(size.height, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < size.width; ++x) {
-        const Hit hit = CastRay(left, x, y);
-        const double d = camera.focal_length * camera.baseline * hit.w - camera.doffs;
-        const bool found = hit.patch >= 0;
-        disparity->at<float>(y, x) =
-            found ? static_cast<float>(d) : std::numeric_limits<float>::infinity();
-        mask->at<std::uint8_t>(y, x) =
-            !found ? kNothing : (seen_from_right(hit, d, x, y) ? kVisible : kOccluded);
-      }
-    }
-  });
 }
 
 }  // namespace stereo_sgmp

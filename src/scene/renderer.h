@@ -4,9 +4,9 @@
 #include <opencv2/core.hpp>
 
 #include "common/thread_pool.h"
-#include "scene/patch.h"
 #include "scene/texture.h"
-#include "stereo_sgmp/stereo_camera.h"
+#include "scene/view.h"
+#include "scene/world.h"
 
 namespace stereo_sgmp {
 
@@ -19,15 +19,6 @@ struct RowShift {
 // The light that reaches each pixel, blue, green, red, 0..1, averaged over 2x2 rays a pixel.
 cv::Mat_<cv::Vec3f> RenderView(const World& world, const PinholeView& view, cv::Size size,
                                const RowShift& shift, const ValueNoise& noise, ThreadPool* pool);
-
-// The exact disparity of the centre of each pixel of the left view, +infinity where its ray
-// meets nothing, and the mask as in GeneratedScene.
-void RenderGroundTruth(const World& world, const StereoCamera& camera, const RowShift& right_shift,
-                       ThreadPool* pool, cv::Size size, cv::Mat* disparity, cv::Mat* mask);
-
-// The views of a stereo camera.
-PinholeView LeftView(const StereoCamera& camera);
-PinholeView RightView(const StereoCamera& camera);
 
 }  // namespace stereo_sgmp
 

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <opencv2/core.hpp>
+
 namespace stereo_sgmp {
 
 // Smooth random values over the plane: octaves of value noise, each of twice the frequency and
@@ -27,6 +29,13 @@ class ValueNoise {
   float Lattice(double s, double t) const;
 
   std::vector<float> values_;
+};
+
+// What a surface looks like: albedo * (1 + contrast * noise).
+struct Material {
+  cv::Vec3f albedo{0.5F, 0.5F, 0.5F};  // blue, green, red, 0..1
+  float contrast = 0.2F;
+  ValueNoise::Octaves octaves;  // lengths in metres
 };
 
 }  // namespace stereo_sgmp

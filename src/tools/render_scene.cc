@@ -1,8 +1,15 @@
 // Writes a generated stereo scene with exact ground truth.
 #include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "evaluation/dataset.h"
+#include "io/file_io.h"
+#include "io/image.h"
+#include "io/pfm.h"
 #include "scene/generated_scene.h"
 #include "tools/tool_main.h"
 
@@ -11,7 +18,10 @@ namespace {
 
 constexpr char kDescription[] =
     "Writes a generated stereo scene with exact ground truth: im0.png, im1.png, disp0GT.pfm,\n"
-    "mask0nocc.png and calib.txt, as evaluate and match read them.\n"
+    "mask0nocc.png and calib.txt, as evaluate and match read them, and\n"
+    "  normals0.pfm  unit normals, x right, y down, z forward, towards the camera; 0 for nothing\n"
+    "  labels0.png   16 bit: the number of the plane that the pixel shows; 0 for none\n"
+    "  planes.txt    a line \"a b c\" for plane 1, 2, ...: its disparity is a x + b y + c\n"
     "Examples:\n"
     "  render_scene corridor out/corridor\n"
     "  render_scene room out/room --width 2880 --height 1980 --disparities 290\n"
@@ -28,7 +38,8 @@ struct Arguments {
 };
 
 void AddFlags(CLI::App* app, Arguments* a) {
-  app->add_option("kind", a->kind, "corridor, slanted_plane, room, fronto_parallel or fence")
+  app->add_option("kind", a->kind,
+                  "corridor, slanted_plane, room, fronto_parallel, fence or curved")
       ->required();
   app->add_option("folder", a->folder, "Folder to write to; created if needed")->required();
   app->add_option("--width", a->width, "Width, pixels (1280)")->check(CLI::Range(16, 8192));
@@ -41,6 +52,14 @@ void AddFlags(CLI::App* app, Arguments* a) {
       ->check(CLI::Range(0.0, 10.0));
   app->add_option("--noise", quality->noise, "Sensor noise, gray levels (1)")
       ->check(CLI::Range(0.0, 100.0));
+  app->add_option("--blur", quality->blur, "Blur of both lenses, standard deviation, pixels (0.5)")
+      ->check(CLI::Range(0.0, 100.0));
+  app->add_option("--vignetting", quality->vignetting,
+                  "Share of the light that the left image loses in its corners (0.1)")
+      ->check(CLI::Range(0.0, 1.0));
+  app->add_option("--right-vignetting", quality->right_vignetting,
+                  "The same of the right image (0.1)")
+      ->check(CLI::Range(0.0, 1.0));
   app->add_option("--gain", quality->gain, "Exposure of the right image: factor (1)")
       ->check(CLI::Range(0.1, 10.0));
   app->add_option("--offset", quality->offset, "Exposure of the right image: gray levels (0)")
@@ -51,6 +70,15 @@ void AddFlags(CLI::App* app, Arguments* a) {
       ->check(CLI::Range(0.9, 1.1));
   app->add_option("--vertical-offset", quality->vertical_offset, "The same, b, pixels (0)")
       ->check(CLI::Range(-100.0, 100.0));
+}
+
+std::string PlaneLines(const std::vector<DisparityPlane>& planes) {
+  std::ostringstream lines;
+  lines.precision(std::numeric_limits<double>::max_digits10);
+  for (const DisparityPlane& plane : planes) {
+    lines << plane.a << ' ' << plane.b << ' ' << plane.c << '\n';
+  }
+  return lines.str();
 }
 
 void Run(const Arguments& a) {
@@ -64,6 +92,12 @@ void Run(const Arguments& a) {
   scene.mask = generated.mask;
   scene.calibration = Calibration{generated.camera, size, generated.num_disparities};
   SaveScene(a.folder, scene);
+  const std::filesystem::path folder(a.folder);
+  WritePfm((folder / "normals0.pfm").string(), generated.normals);
+  cv::Mat labels;
+  generated.labels.convertTo(labels, CV_16U, 1.0, 1.0);
+  SaveImage((folder / "labels0.png").string(), labels);
+  WriteFile((folder / "planes.txt").string(), PlaneLines(generated.planes));
 }
 
 }  // namespace

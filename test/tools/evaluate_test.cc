@@ -7,6 +7,7 @@
 
 #include "evaluation/dataset.h"
 #include "io/file_io.h"
+#include "io/image.h"
 #include "io/pfm.h"
 #include "io/temporary_folder.h"
 #include "tools/run_tool.h"
@@ -28,7 +29,8 @@ std::ptrdiff_t Lines(const std::string& text) { return std::count(text.begin(), 
 
 TEST(RenderScene, WritesEachKindOfScene) {
   const TemporaryFolder folder;
-  for (const char* kind : {"corridor", "slanted_plane", "room", "fronto_parallel", "fence"}) {
+  for (const char* kind :
+       {"corridor", "slanted_plane", "room", "fronto_parallel", "fence", "curved"}) {
     const ToolRun run = RenderScene(kind + (" " + folder.Path(kind)) + kSmall);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const StereoScene scene = LoadScene(folder.Path(kind));
@@ -36,6 +38,14 @@ TEST(RenderScene, WritesEachKindOfScene) {
     EXPECT_FALSE(scene.mask.empty());
     ASSERT_TRUE(scene.calibration.has_value());
     EXPECT_EQ(scene.calibration->num_disparities, 24);
+    const cv::Mat normals = ReadPfm(folder.Path(kind + std::string("/normals0.pfm")));
+    EXPECT_EQ(normals.type(), CV_32FC3);
+    EXPECT_EQ(normals.size(), scene.left.size());
+    const cv::Mat labels = LoadImage(folder.Path(kind + std::string("/labels0.png")));
+    ASSERT_EQ(labels.type(), CV_16UC1);
+    double planes = 0;
+    cv::minMaxLoc(labels, nullptr, &planes);
+    EXPECT_EQ(Lines(ReadFile(folder.Path(kind + std::string("/planes.txt")))), planes);
   }
 }
 
@@ -43,7 +53,8 @@ TEST(RenderScene, RefusesWhatItCannotMake) {
   const TemporaryFolder folder;
   for (const std::string& arguments :
        {"garden " + folder.Path("a"), "room " + folder.Path("a") + " --disparities 9999",
-        "room " + folder.Path("a") + " --width 3", std::string("room")}) {
+        "room " + folder.Path("a") + " --width 3",
+        "room " + folder.Path("a") + " --right-vignetting 2", std::string("room")}) {
     const ToolRun run = RenderScene(arguments);
     EXPECT_EQ(run.exit_code, 2) << arguments;
     EXPECT_EQ(Lines(run.err), 1) << run.err;
