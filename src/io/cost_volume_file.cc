@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <limits>
 #include <locale>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "io/file_io.h"
@@ -32,59 +32,58 @@ constexpr float kMaxCost = 255.0f;
 
 bool IsAcrt(const std::string& path) { return std::filesystem::path(path).extension() == ".acrt"; }
 
-void CheckName(const std::string& path) {
-  if (!IsCostVolumeName(path)) Fail(path, "a cost volume is expected, named .bin or .acrt.");
-}
-
 std::size_t PlaneSize(const CostVolume& volume) {
   return static_cast<std::size_t>(volume.width) * static_cast<std::size_t>(volume.height);
 }
 
-std::vector<long> ReadNumbers(const std::string& path) {
+std::vector<int> ReadNumbers(const std::string& path) {
   std::istringstream text(ReadFile(path));
   text.imbue(std::locale::classic());
-  std::vector<long> numbers;
-  for (long number = 0; text >> number;) numbers.push_back(number);
+  std::vector<int> numbers;
+  for (int number = 0; text >> number;) numbers.push_back(number);
   if (!text.eof()) Fail(path, "whole numbers are expected, and nothing else.");
   return numbers;
 }
 
-int InRange(const std::string& path, const char* what, long value, int min, int max) {
-  if (value < min || value > max) {
-    Fail(path, std::string("the ") + what + " of the cost volume is " + std::to_string(value) +
-                   ", a number from " + std::to_string(min) + " to " + std::to_string(max) +
-                   " is expected.");
-  }
-  return static_cast<int>(value);
+void CheckRange(const std::string& path, const char* what, int value, int min, int max) {
+  if (value >= min && value <= max) return;
+  Fail(path, std::string("the ") + what + " of the cost volume is " + std::to_string(value) +
+                 ", a number from " + std::to_string(min) + " to " + std::to_string(max) +
+                 " is expected.");
 }
 
-CostVolume ShapeOf(const std::string& path, long width, long height, long disparities,
-                   long min_disparity) {
+void CheckShape(const std::string& path, const CostVolume& volume) {
+  CheckRange(path, "width", volume.width, 1, kMaxSide);
+  CheckRange(path, "height", volume.height, 1, kMaxSide);
+  CheckRange(path, "number of disparities", volume.disparities, 1, kMaxDisparity);
+  CheckRange(path, "smallest disparity", volume.min_disparity, -kMaxDisparity, kMaxDisparity);
+}
+
+CostVolume ShapeOf(int width, int height, int disparities, int min_disparity) {
   CostVolume volume;
-  volume.width = InRange(path, "width", width, 1, kMaxSide);
-  volume.height = InRange(path, "height", height, 1, kMaxSide);
-  volume.disparities = InRange(path, "number of disparities", disparities, 1, kMaxDisparity);
-  volume.min_disparity =
-      InRange(path, "smallest disparity", min_disparity, -kMaxDisparity, kMaxDisparity);
+  volume.width = width;
+  volume.height = height;
+  volume.disparities = disparities;
+  volume.min_disparity = min_disparity;
   return volume;
 }
 
 CostVolume ParseShape(const std::string& path) {
-  const std::vector<long> numbers = ReadNumbers(path);
+  const std::vector<int> numbers = ReadNumbers(path);
   if (numbers.size() != 4) {
     Fail(path, std::to_string(numbers.size()) +
                    " numbers found, four are expected: width height disparities min_disparity.");
   }
-  return ShapeOf(path, numbers[0], numbers[1], numbers[2], numbers[3]);
+  return ShapeOf(numbers[0], numbers[1], numbers[2], numbers[3]);
 }
 
 CostVolume ParseDim(const std::string& path) {
-  std::vector<long> numbers = ReadNumbers(path);
+  std::vector<int> numbers = ReadNumbers(path);
   if (numbers.size() == 4 && numbers[0] == 1) numbers.erase(numbers.begin());
   if (numbers.size() != 3) {
     Fail(path, "the numbers 1, disparities, height and width are expected, one a line.");
   }
-  return ShapeOf(path, numbers[2], numbers[1], numbers[0], 0);
+  return ShapeOf(numbers[2], numbers[1], numbers[0], 0);
 }
 
 std::string Describe(const CostVolume& volume) {
@@ -187,17 +186,27 @@ bool IsCostVolumeName(const std::string& path) {
   return IsAcrt(path) || std::filesystem::path(path).extension() == ".bin";
 }
 
+void CheckCostVolumeName(const std::string& path) {
+  if (!IsCostVolumeName(path)) Fail(path, "a cost volume is expected, named .bin or .acrt.");
+}
+
 std::optional<CostVolume> ReadCostVolumeShape(const std::string& path) {
-  const std::string shape = path + ".shape";
-  if (std::filesystem::exists(shape)) return ParseShape(shape);
-  const std::string dim = path + ".dim";
-  if (std::filesystem::exists(dim)) return ParseDim(dim);
+  using Sidecar = std::pair<const char*, CostVolume (*)(const std::string&)>;
+  for (const auto& [extension, parse] :
+       {Sidecar{".shape", ParseShape}, Sidecar{".dim", ParseDim}}) {
+    const std::string beside = path + extension;
+    if (!std::filesystem::exists(beside)) continue;
+    const CostVolume volume = parse(beside);
+    CheckShape(beside, volume);
+    return volume;
+  }
   return std::nullopt;
 }
 
 void ReadCosts(const std::string& path, CostVolume* volume) {
-  CheckName(path);
-  OpenFile(path);
+  CheckCostVolumeName(path);
+  CheckShape(path, *volume);
+  OpenFile(path);  // first of all, says whether there is such a file
   CheckFileSize(path, std::filesystem::file_size(path), *volume);
   const bool negated_cosine = HasNegativeValues(path, *volume);
   const auto disparities = static_cast<std::size_t>(volume->disparities);
@@ -212,7 +221,7 @@ void ReadCosts(const std::string& path, CostVolume* volume) {
 }
 
 void WriteCostVolume(const std::string& path, const CostVolume& volume) {
-  CheckName(path);
+  CheckCostVolumeName(path);
   std::vector<float> plane(PlaneSize(volume));
   const auto disparities = static_cast<std::size_t>(volume.disparities);
   WriteAtomically(path, [&](const std::string& temporary) {

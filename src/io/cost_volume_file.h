@@ -23,6 +23,9 @@ namespace stereo_sgmp {
 // Whether `path` ends in .bin or .acrt.
 bool IsCostVolumeName(const std::string& path);
 
+// Throws std::invalid_argument unless it does.
+void CheckCostVolumeName(const std::string& path);
+
 // The shape that stands beside the volume `path`, as a volume without costs; nothing where neither
 // text file exists. Throws std::invalid_argument for one that is malformed.
 std::optional<CostVolume> ReadCostVolumeShape(const std::string& path);

@@ -1,13 +1,11 @@
 // Matches one rectified stereo pair.
-#include <algorithm>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "io/calib.h"
 #include "io/color_map.h"
+#include "io/cost_volume_file.h"
 #include "io/file_io.h"
 #include "io/image.h"
 #include "io/pcl/point_cloud_io.h"
@@ -15,8 +13,10 @@
 #include "io/prior_picture.h"
 #include "stereo_sgmp/matcher.h"
 #include "stereo_sgmp/point_cloud.h"
+#include "tools/match_input_flags.h"
 #include "tools/match_statistics.h"
 #include "tools/matcher_flags.h"
+#include "tools/pair_flags.h"
 #include "tools/tool_main.h"
 
 namespace stereo_sgmp {
@@ -29,49 +29,33 @@ constexpr char kDescription[] =
     "  match im0.png im1.png --calib calib.txt --disparity d.pfm --cloud points.ply\n"
     "  match im0.png im1.png --calib calib.txt --disparity d.pfm --preset paper --variant epi\n"
     "  match im0.png im1.png --calib calib.txt --disparity d.pfm --stats times.json --repeat 9\n"
+    "  match im0.png im1.png --disparity d.pfm --variant gs --prior-surface disp0GT.pfm\n"
+    "  match im0.png im1.png --disparity d.pfm --cost im0.acrt --num-disparities 145\n"
     "Options apply in the order preset, options file, calibration, flags; the last one counts.";
 
 struct Arguments {
+  PairFlags pair;
+  MatchInputFlags inputs;
   MatcherFlags matcher;
-  std::string left;
-  std::string right;
   std::string disparity;
   std::string confidence;
-  std::string calib;
   std::string color;
   std::string cloud;
   std::string prior_image;
   std::string stats;
-  std::optional<int> min_disparity;
-  std::optional<int> num_disparities;
   bool dense = false;
   bool raw = false;
   int repeat = 1;
 };
 
-struct Inputs {
-  cv::Mat left;
-  cv::Mat right;
-  std::optional<Calibration> calibration;
-};
-
 void AddInputs(CLI::App* app, Arguments* a) {
-  app->add_option("left", a->left, "Left image: 8 or 16 bit, gray or colour")->required();
-  app->add_option("right", a->right, "Right image, of the same size and type")->required();
-  CLI::Option* calib = app->add_option(
-      "--calib", a->calib, "Middlebury calib.txt: the camera, and ndisp for --num-disparities");
-  app->add_option_function<int>(
-      "--min-disparity", [a](int value) { a->min_disparity = value; },
-      "Smallest disparity searched, pixels; may be negative");
-  app->add_option_function<int>(
-      "--num-disparities", [a](int value) { a->num_disparities = value; },
-      "Number of disparities searched. Without it and --calib: the preset's, at most the width "
-      "of the image");
-  a->matcher.AddTo(app);
+  a->pair.AddTo(app);
+  a->inputs.AddTo(app, a->pair.calib_flag());
+  a->matcher.AddTo(app, MatcherFlags::CostFlag::kKindOrVolume);
   app->add_option("--repeat", a->repeat, "Match the pair so many times, for --stats")
       ->check(CLI::Range(1, 1000000));
   app->add_option("--cloud", a->cloud, "Write the point cloud (PLY, metres); needs --calib")
-      ->needs(calib);
+      ->needs(a->pair.calib_flag());
 }
 
 void AddOutputs(CLI::App* app, Arguments* a) {
@@ -100,33 +84,10 @@ void CheckOutputs(const Arguments& a) {
   }
 }
 
-Inputs Load(const Arguments& a) {
-  Inputs inputs;
-  inputs.left = LoadImage(a.left);
-  inputs.right = LoadImage(a.right);
-  CheckPair(inputs.left, a.left, inputs.right, a.right);
-  if (a.calib.empty()) return inputs;
-  inputs.calibration = ReadCalibration(a.calib);
-  const cv::Size size = inputs.calibration->size;
-  if (!size.empty() && size != inputs.left.size()) {
-    throw std::invalid_argument(a.calib + ": it is for images of " + std::to_string(size.width) +
-                                " x " + std::to_string(size.height) + " pixels, but " + a.left +
-                                " has " + std::to_string(inputs.left.cols) + " x " +
-                                std::to_string(inputs.left.rows) + ".");
-  }
-  return inputs;
-}
-
-Options MakeOptions(const Arguments& a, const Inputs& inputs) {
+Options MakeOptions(const Arguments& a, const LoadedPair& pair) {
   Options options = a.matcher.ToOptions();
-  if (a.min_disparity) options.min_disparity = *a.min_disparity;
-  if (a.num_disparities) {
-    options.num_disparities = *a.num_disparities;
-  } else if (inputs.calibration && inputs.calibration->num_disparities > 0) {
-    options.num_disparities = inputs.calibration->num_disparities;
-  } else {
-    options.num_disparities = std::min(options.num_disparities, inputs.left.cols);
-  }
+  const std::string volume = a.matcher.CostVolumeFile();
+  a.pair.SetRange(pair, volume.empty() ? std::nullopt : ReadCostVolumeShape(volume), &options);
   return options;
 }
 
@@ -138,13 +99,13 @@ cv::Mat WantedDisparity(const Arguments& a, const MatchResult& result) {
   return disparity;
 }
 
-void WriteCloud(const std::string& path, const Inputs& inputs, const MatchResult& result) {
+void WriteCloud(const std::string& path, const LoadedPair& pair, const MatchResult& result) {
   PointCloud cloud;
-  ComputePointCloud(result, inputs.calibration->camera, inputs.left, CloudOptions(), &cloud);
+  ComputePointCloud(result, pair.calibration->camera, pair.left, CloudOptions(), &cloud);
   SavePly(path, cloud);
 }
 
-void WriteOutputs(const Arguments& a, const Inputs& inputs, const Options& options,
+void WriteOutputs(const Arguments& a, const LoadedPair& pair, const Options& options,
                   const MatchResult& result, const std::vector<MatchStatistics>& frames) {
   const cv::Mat disparity = WantedDisparity(a, result);
   WritePfm(a.disparity, disparity);
@@ -154,24 +115,25 @@ void WriteOutputs(const Arguments& a, const Inputs& inputs, const Options& optio
     SaveImage(a.color, ColorDisparity(disparity, options.min_disparity, last));
   }
   if (!a.prior_image.empty()) {
-    SaveImage(a.prior_image, PriorPicture(result.priors, inputs.left.size()));
+    SaveImage(a.prior_image, PriorPicture(result.priors, pair.left.size()));
   }
-  if (!a.cloud.empty()) WriteCloud(a.cloud, inputs, result);
-  if (!a.stats.empty()) WriteFile(a.stats, StatisticsJson(frames, options, inputs.left.size()));
+  if (!a.cloud.empty()) WriteCloud(a.cloud, pair, result);
+  if (!a.stats.empty()) WriteFile(a.stats, StatisticsJson(frames, options, pair.left.size()));
 }
 
 void Run(const Arguments& a) {
   CheckOutputs(a);
-  const Inputs inputs = Load(a);
-  const Options options = MakeOptions(a, inputs);
-  Matcher matcher(options);
+  const LoadedPair pair = a.pair.Load();
+  const Options options = MakeOptions(a, pair);
+  Matcher matcher(options);  // refuses wrong options before large files are read
+  const LoadedInputs loaded = a.inputs.Load(pair, options, a.matcher.CostVolumeFile());
   MatchResult result;
   std::vector<MatchStatistics> frames;
   for (int i = 0; i < a.repeat; ++i) {
-    matcher.Match(inputs.left, inputs.right, &result);
+    matcher.Match(pair.left, pair.right, loaded.inputs, &result);
     frames.push_back(result.statistics);
   }
-  WriteOutputs(a, inputs, options, result, frames);
+  WriteOutputs(a, pair, options, result, frames);
 }
 
 }  // namespace

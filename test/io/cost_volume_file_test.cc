@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -174,6 +176,8 @@ TEST_F(CostVolumeFile, RefusesFilesThatAreNone) {
   std::filesystem::create_directory(folder_.Path("folder.bin"));
   ExpectInvalid([&] { ReadCosts(folder_.Path("folder.bin"), &volume); }, "folder");
   ExpectInvalid([&] { ReadCosts(folder_.Write("v.png", "x"), &volume); }, ".bin or .acrt");
+  volume.width = 0;
+  ExpectInvalid([&] { ReadCosts(folder_.Write("v.bin", "x"), &volume); }, "width");
   ExpectInvalid([&] { WriteCostVolume(folder_.Path("v.dat"), RandomVolume()); }, ".bin or .acrt");
 }
 
