@@ -12,8 +12,8 @@ namespace stereo_sgmp {
 struct CostVolume {
   int width = 0;
   int height = 0;
-  int disparities = 0;    // candidates d = min_disparity + index
-  int min_disparity = 0;  // pixels
+  int disparities = 0;              // candidates d = min_disparity + index
+  int min_disparity = 0;            // pixels
   std::vector<std::uint8_t> costs;  // [y][x][index], without padding
 
   const std::uint8_t* At(int y, int x) const {

@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 
 #include "stereo_sgmp/disparity_plane.h"
+#include "stereo_sgmp/options.h"
 
 namespace stereo_sgmp {
 
@@ -30,8 +31,10 @@ struct PlaneHypothesis {
   double residual = 0.0;  // root mean square distance of them, full-resolution pixels
 };
 
-// The prior that was used. Empty for Variant::kSgm.
+// The prior that was used. Without planes for Variant::kSgm, kGs, kGni and kGnv.
 struct PlanePriors {
+  Variant variant = Variant::kSgm;  // kEpv where kMw finds no Manhattan world
+  std::string note;                 // a sentence where that is not the variant asked for
   std::vector<PlaneHypothesis> planes;
   // CV_16S at the size of the coarse pass: index into `planes` of the plane that holds at the
   // pixel (kEpi: of its superpixel; kEpv: the one nearest to the coarse disparity), -1 for none.

@@ -16,15 +16,14 @@ struct EnumNames;
 
 template <>
 struct EnumNames<Variant> {
-  static constexpr std::array<std::pair<Variant, const char*>, 8> kValues{
-      {{Variant::kSgm, "sgm"},
-       {Variant::kEpi, "epi"},
-       {Variant::kEpv, "epv"},
-       {Variant::kGs, "gs"},
-       {Variant::kGp, "gp"},
-       {Variant::kGni, "gni"},
-       {Variant::kGnv, "gnv"},
-       {Variant::kMw, "mw"}}};
+  static constexpr std::array<std::pair<Variant, const char*>, 8> kValues{{{Variant::kSgm, "sgm"},
+                                                                           {Variant::kEpi, "epi"},
+                                                                           {Variant::kEpv, "epv"},
+                                                                           {Variant::kGs, "gs"},
+                                                                           {Variant::kGp, "gp"},
+                                                                           {Variant::kGni, "gni"},
+                                                                           {Variant::kGnv, "gnv"},
+                                                                           {Variant::kMw, "mw"}}};
 };
 template <>
 struct EnumNames<CostKind> {
@@ -142,24 +141,45 @@ void VisitOptions(OptionsT& o, Visitor&& visit) {
                     "free one, as in the paper.",
                     -1, 1000},
         o.prior.jump_slack);
+  visit(OptionField{"prior/attraction", "px",
+                    "Copies of each plane this far above and below it draw paths within a "
+                    "disparity onto the plane; 0 leaves it a prior of orientation alone.",
+                    0, 0.5},
+        o.prior.attraction);
+  visit(OptionField{"prior/min_slope", "px/px",
+                    "Planes with less disparity per pixel count as constant, as plain SGM has "
+                    "surfaces anyway.",
+                    0, 1},
+        o.prior.min_slope);
   visit(OptionField{"prior/coarse_factor", "",
                     "Ratio of the full to the coarse resolution from which planes are estimated; 0 "
-                    "takes the smallest from 2 on that leaves 0.4 megapixels at most.",
+                    "takes the smallest from 2 to 4 that leaves 0.12 megapixels at most.",
                     0, 16},
         o.prior.coarse_factor);
   visit(
       OptionField{"prior/keep_quantile", "",
                   "Share of the coarse pixels, by uncertainty, that planes are fitted to.", 0.1, 1},
       o.prior.keep_quantile);
-  visit(OptionField{"prior/min_plane_area", "coarse px^2", "Smaller plane hypotheses are dropped.",
+  visit(OptionField{"prior/min_plane_area", "coarse px^2",
+                    "Smaller plane hypotheses are dropped; in small images the limit is a "
+                    "fiftieth of the image.",
                     9, 100000},
         o.prior.min_plane_area);
+  visit(OptionField{"prior/spread", "",
+                    "Where no plane was found, take that of the pixels that look most alike "
+                    "nearby."},
+        o.prior.spread);
   visit(OptionField{"prior/superpixel_size", "coarse px",
                     "Distance of neighbouring superpixels (epi).", 4, 200},
         o.prior.superpixel_size);
   visit(OptionField{"prior/min_support", "",
                     "Share of a superpixel that must agree on its plane (epi).", 0, 1},
         o.prior.min_support);
+  visit(OptionField{"prior/gni_disparity", "px",
+                    "Mean disparity of the one surface that gni integrates from normals; 0 takes "
+                    "the middle of the search range.",
+                    0, 4096},
+        o.prior.gni_disparity);
 
   visit(OptionField{"refinement/subpixel", "",
                     "Sub-pixel interpolation of the aggregated costs: none, equiangular, "
@@ -167,6 +187,9 @@ void VisitOptions(OptionsT& o, Visitor&& visit) {
         o.refinement.subpixel);
   visit(OptionField{"refinement/median", "", "5x5 median of the filled disparities."},
         o.refinement.median);
+  visit(OptionField{"refinement/weighted_median", "",
+                    "7x7 median of the filled disparities, weighted by colour and confidence."},
+        o.refinement.weighted_median);
   visit(OptionField{"refinement/plane_smoothing", "",
                     "Local, colour-weighted plane fit of the disparities."},
         o.refinement.plane_smoothing);

@@ -75,17 +75,22 @@ struct AggregationOptions {
 struct PriorOptions {
   Variant variant = Variant::kEpv;
   JumpPolicy jump_policy = JumpPolicy::kSameSurface;
-  int jump_slack = 30;
-  int coarse_factor = 4;
+  int jump_slack = 15;
+  double attraction = 0.25;
+  double min_slope = 0.03;
+  int coarse_factor = 0;
   double keep_quantile = 0.95;
-  int min_plane_area = 60;
+  int min_plane_area = 800;
+  bool spread = true;
   int superpixel_size = 14;
   double min_support = 0.2;
+  double gni_disparity = 0.0;
 };
 
 struct RefinementOptions {
   Subpixel subpixel = Subpixel::kBlend;
   bool median = true;
+  bool weighted_median = false;
   bool plane_smoothing = false;
   bool superpixel_planes = false;
 };

@@ -8,13 +8,14 @@
 namespace stereo_sgmp {
 namespace {
 
-// Pixels of the coarse images of the paper, a quarter of 5 to 6 megapixels each way.
-constexpr double kCoarsePixels = 0.4e6;
+// The paper's coarse images are a quarter of the full ones each way. A quarter of a small image
+// shows too little of its planes; more pixels than this show no more of them.
+constexpr double kCoarsePixels = 0.12e6;
 
 int CoarseFactor(int factor, cv::Size full) {
   if (factor > 0) return factor;
   const double pixels = static_cast<double>(full.width) * full.height;
-  return std::max(2, static_cast<int>(std::ceil(std::sqrt(pixels / kCoarsePixels))));
+  return std::clamp(static_cast<int>(std::ceil(std::sqrt(pixels / kCoarsePixels))), 2, 4);
 }
 
 int Shrunk(int length, int factor) {

@@ -1,5 +1,6 @@
 #include "stereo_sgmp/matcher.h"
 
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -7,12 +8,13 @@
 #include "alignment/rig_alignment.h"
 #include "alignment/warp_rows.h"
 #include "cost/cost_computer.h"
+#include "cost/volume_cost.h"
 #include "images/image_pair.h"
 #include "matcher/coarse_pass.h"
 #include "matcher/disparity_refiner.h"
 #include "matcher/memory.h"
+#include "matcher/prior_stage.h"
 #include "matcher/stage_clock.h"
-#include "prior/estimated_prior.h"
 #include "stereo_sgmp/option_fields.h"
 
 namespace stereo_sgmp {
@@ -43,12 +45,17 @@ class Matcher::Impl {
 
   const Options& options() const { return options_; }
 
-  void Match(const cv::Mat& left, const cv::Mat& right, const MatchInputs& /*inputs*/,
+  void Match(const cv::Mat& left, const cv::Mat& right, const MatchInputs& inputs,
              MatchResult* result) {
     StageClock clock(&result->statistics);
     images_.Prepare(left, right);
     const cv::Size size = images_.size();
     CheckRange(options_, size);
+    CheckInputs(options_.prior.variant, inputs, size);
+    const VolumeShape shape{size.width, size.height, options_.num_disparities,
+                            options_.min_disparity};
+    std::optional<VolumeCost> given_costs;
+    if (inputs.costs != nullptr) given_costs.emplace(*inputs.costs, shape);
     if (size != checked_size_) {
       CheckMemory(options_, size, held_);
       checked_size_ = size;
@@ -61,13 +68,15 @@ class Matcher::Impl {
 
     coarse_.Run(options_, images_, pool_.get());
     clock.Mark("coarse pass");
-    const VolumeShape shape{size.width, size.height, options_.num_disparities,
-                            options_.min_disparity};
-    const OrientationPrior* prior = EstimatePrior(shape, result);
+    const OrientationPrior* prior =
+        prior_.Make(options_.prior, inputs, images_, coarse_, shape, pool_.get(), &result->priors);
+    result->statistics.planes = static_cast<int>(result->priors.planes.size());
     clock.Mark("prior");
 
-    const CostRows& costs = costs_.Prepare(options_.cost, images_.left_gray(), images_.right_gray(),
-                                           shape, coarse_.radiometric_fit(), pool_.get());
+    const CostRows& costs =
+        given_costs ? static_cast<const CostRows&>(*given_costs)
+                    : costs_.Prepare(options_.cost, images_.left_gray(), images_.right_gray(),
+                                     shape, coarse_.radiometric_fit(), pool_.get());
     clock.Mark("cost");
     const cv::Mat& guide =
         options_.aggregation.color_guide ? images_.left_color() : images_.left_gray();
@@ -93,21 +102,6 @@ class Matcher::Impl {
     return report;
   }
 
-  const OrientationPrior* EstimatePrior(const VolumeShape& shape, MatchResult* result) {
-    const OrientationPrior* prior = nullptr;
-    if (options_.prior.variant == Variant::kSgm) {
-      result->priors.planes.clear();
-      result->priors.labels.release();
-    } else {
-      prior = estimated_prior_.Estimate(options_.prior, {coarse_.disparity(), coarse_.confident()},
-                                        coarse_.image(), shape, pool_.get());
-      result->priors.planes = estimated_prior_.report().planes;
-      estimated_prior_.report().labels.copyTo(result->priors.labels);
-    }
-    result->statistics.planes = static_cast<int>(result->priors.planes.size());
-    return prior;
-  }
-
   Options options_;
   std::unique_ptr<ThreadPool> pool_;
   cv::Size checked_size_;  // for which there is enough memory
@@ -116,7 +110,7 @@ class Matcher::Impl {
   RigAlignment alignment_;
   cv::Mat warped_;
   CoarsePass coarse_;
-  EstimatedPrior estimated_prior_;
+  PriorStage prior_;
   CostComputer costs_;
   Aggregator aggregator_;
   WinnerMap winners_;

@@ -8,9 +8,7 @@ namespace {
 Options Quality() {
   Options options;
   options.aggregation.scheme = PathScheme::kFourTwice;
-  options.prior.variant = Variant::kEpi;
-  options.prior.coarse_factor = 2;
-  options.prior.superpixel_size = 20;
+  options.refinement.weighted_median = true;
   options.refinement.plane_smoothing = true;
   options.refinement.superpixel_planes = true;
   return options;
@@ -27,8 +25,10 @@ Options Paper() {
   options.aggregation.beta = 10.0;
   options.aggregation.color_guide = false;
   options.prior.variant = Variant::kEpi;
-  options.prior.coarse_factor = 0;
-  options.prior.jump_slack = 15;
+  options.prior.attraction = 0.0;
+  options.prior.min_slope = 0.0;
+  options.prior.min_plane_area = 60;
+  options.prior.spread = false;
   options.refinement.subpixel = Subpixel::kEquiangular;
   options.filter.confidence = ConfidenceMeasure::kUncertainty;
   return options;

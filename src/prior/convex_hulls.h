@@ -14,10 +14,13 @@
 namespace stereo_sgmp {
 
 // Bounds every plane by the convex hull of its label pixels. Pixels inside several hulls hold
-// several planes, at most PlaneSet::kMaxPlanes, those of the largest area. Keeps its buffers.
+// several planes, at most PlaneSet::kMaxFound, those of the largest area. Keeps its buffers.
 class ConvexHulls {
  public:
   void Build(const PlaneMap& map);
+
+  // Gives the pixels outside all hulls the plane of `labels` (CV_16S, -1 for none).
+  void FillEmpty(const cv::Mat& labels) { painter_.FillEmpty(labels); }
 
   // At the resolution of the labels.
   const PlaneSets& sets() const { return painter_.sets(); }

@@ -33,13 +33,14 @@ const OrientationPrior* EstimatedPrior::Estimate(const PriorOptions& options,
     report_.labels.release();
     return nullptr;
   }
-  hypotheses_.Find(coarse, options.min_plane_area, threads);
+  hypotheses_.Find(coarse, SmallestPlane(options, coarse.disparity.size()), threads);
   ScaleUp(CoarseScale::Between({full.width, full.height}, coarse.disparity.size()));
   const PlaneSets& sets = options.variant == Variant::kEpi
                               ? SpreadOverSuperpixels(options, coarse_left, threads)
-                              : SpreadOverHulls(coarse.disparity);
+                              : SpreadOverHulls(options, coarse.disparity, coarse_left);
   if (full_planes_.empty()) return nullptr;
-  prior_.Assign(full_planes_, sets, full, options.jump_policy);
+  steering_.Assign(options, full_planes_, sets, full);
+  prior_.Assign(steering_.planes(), steering_.sets(), full, options.jump_policy);
   return &prior_;
 }
 
@@ -57,16 +58,33 @@ const PlaneSets& EstimatedPrior::SpreadOverSuperpixels(const PriorOptions& optio
   superpixels_.Segment(coarse_left, options.superpixel_size, kCompactness, threads);
   modal_.Assign(hypotheses_.map(), superpixels_, options.min_support);
   modal_.labels().copyTo(report_.labels);
-  SetsOfLabels(modal_.labels(), full_planes_.size(), &modal_sets_);
+  if (options.spread) {
+    SpreadLabels(coarse_left);
+    modal_.Assign(spread_, superpixels_, 0.0);
+    modal_.labels().copyTo(report_.labels, report_.labels < 0);
+  }
+  SetsOfLabels(report_.labels, full_planes_.size(), &modal_sets_);
   return modal_sets_;
 }
 
-const PlaneSets& EstimatedPrior::SpreadOverHulls(const cv::Mat& disparity) {
+const PlaneSets& EstimatedPrior::SpreadOverHulls(const PriorOptions& options,
+                                                 const cv::Mat& disparity,
+                                                 const cv::Mat& coarse_left) {
   hulls_.Build(hypotheses_.map());
+  if (options.spread) {
+    SpreadLabels(coarse_left);
+    hulls_.FillEmpty(spread_.labels);
+  }
   coarse_planes_.clear();
   for (const CoarsePlane& coarse : hypotheses_.map().planes) coarse_planes_.push_back(coarse.plane);
   LabelNearestPlanes(hulls_.sets(), coarse_planes_, disparity, &report_.labels);
   return hulls_.sets();
+}
+
+void EstimatedPrior::SpreadLabels(const cv::Mat& coarse_left) {
+  spread_.planes = hypotheses_.map().planes;
+  hypotheses_.map().labels.copyTo(spread_.labels);
+  spreader_.Spread(coarse_left, &spread_.labels);
 }
 
 }  // namespace stereo_sgmp

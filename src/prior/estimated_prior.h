@@ -10,10 +10,12 @@
 #include "cost/cost_rows.h"
 #include "prior/coarse_scale.h"
 #include "prior/convex_hulls.h"
+#include "prior/label_spread.h"
 #include "prior/modal_planes.h"
 #include "prior/orientation_prior.h"
 #include "prior/plane_hypotheses.h"
 #include "prior/plane_set_prior.h"
+#include "prior/steering_planes.h"
 #include "prior/superpixels.h"
 #include "stereo_sgmp/match_result.h"
 #include "stereo_sgmp/options.h"
@@ -25,8 +27,8 @@ namespace stereo_sgmp {
 class EstimatedPrior {
  public:
   // Finds planes in `coarse` and spreads them as options.variant says. `coarse_left` is the left
-  // image at the size of the coarse maps (CV_8U, 1, 3 or 4 channels; used by kEpi only), `full`
-  // the volume the prior is for. `threads` may be null.
+  // image at the size of the coarse maps (CV_8U, 1, 3 or 4 channels; kEpi and PriorOptions::spread
+  // use it), `full` the volume the prior is for. `threads` may be null.
   //
   // Returns the prior, which is this object's and holds until the next call, or null where there
   // is nothing to follow: no plane was found, or the variant is kSgm.
@@ -41,7 +43,9 @@ class EstimatedPrior {
  private:
   const PlaneSets& SpreadOverSuperpixels(const PriorOptions& options, const cv::Mat& coarse_left,
                                          ThreadPool* threads);
-  const PlaneSets& SpreadOverHulls(const cv::Mat& disparity);
+  const PlaneSets& SpreadOverHulls(const PriorOptions& options, const cv::Mat& disparity,
+                                   const cv::Mat& coarse_left);
+  void SpreadLabels(const cv::Mat& coarse_left);
   void ScaleUp(const CoarseScale& scale);
 
   PlaneHypotheses hypotheses_;
@@ -50,7 +54,10 @@ class EstimatedPrior {
   PlaneSets modal_sets_;
   ConvexHulls hulls_;
   std::vector<DisparityPlane> coarse_planes_;
+  LabelSpreader spreader_;
+  PlaneMap spread_;
   std::vector<DisparityPlane> full_planes_;
+  SteeringPlanes steering_;
   PlaneSetPrior prior_;
   PlanePriors report_;
 };

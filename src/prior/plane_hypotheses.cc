@@ -27,6 +27,9 @@ constexpr double kSeedFill = 0.6;
 constexpr double kMissingPenalty = 0.1;
 // Distance from the plane at which a pixel still belongs to it, coarse disparities.
 constexpr float kGrowRange = 0.6F;
+// Residuals that fill this range evenly have a root mean square of 0.35: near that the region is
+// no plane but whatever the range happened to cut out.
+constexpr double kMaxRms = 0.3;
 // Pixels without a fitting disparity that growth steps over, less one.
 constexpr int kGap = 2;
 // The plane is fitted again each time its region has become this much larger.
@@ -81,6 +84,10 @@ PlaneMoments WindowMoments(const float* centre, int stride) {
 }
 
 }  // namespace
+
+int SmallestPlane(const PriorOptions& options, cv::Size size) {
+  return std::min(options.min_plane_area, std::max(1, size.area() / 50));
+}
 
 void PlaneHypotheses::Find(const CoarseDisparity& coarse, int min_area, ThreadPool* threads) {
   CheckInputs(coarse);
@@ -205,11 +212,12 @@ bool PlaneHypotheses::Keep(int min_area) {
   const auto far = std::partition(pixels_.begin(), pixels_.end(), near);
   const int area = static_cast<int>(far - pixels_.begin());
   if (area < std::max(1, min_area)) return false;
+  PlaneMoments kept;
+  for (auto s = pixels_.begin(); s != far; ++s) kept.Add(s->x, s->y, s->disparity);
+  if (kept.Rms(plane) > kMaxRms) return false;
   Release(far);
   const auto label = static_cast<std::int16_t>(map_.planes.size());
-  PlaneMoments kept;
   for (auto s = pixels_.begin(); s != far; ++s) {
-    kept.Add(s->x, s->y, s->disparity);
     map_.labels.at<std::int16_t>(static_cast<int>(s->y), static_cast<int>(s->x)) = label;
   }
   map_.planes.push_back({plane, area, kept.Rms(plane)});

@@ -10,6 +10,7 @@
 #include "common/thread_pool.h"
 #include "prior/plane_fit.h"
 #include "stereo_sgmp/disparity_plane.h"
+#include "stereo_sgmp/options.h"
 
 namespace stereo_sgmp {
 
@@ -28,6 +29,10 @@ struct PlaneMap {
   std::vector<CoarsePlane> planes;  // in falling order of area
   cv::Mat labels;                   // CV_16S, index into `planes`, -1 for none
 };
+
+// Pixels that a plane must have in a coarse image of `size`: PriorOptions::min_plane_area, or a
+// fiftieth of a small image.
+int SmallestPlane(const PriorOptions& options, cv::Size size);
 
 // Region growing in disparity space, where the noise is even and planes of the scene are planes:
 // windows that fit a plane best grow first, and take every confident pixel near their plane that

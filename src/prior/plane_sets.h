@@ -15,7 +15,10 @@ namespace stereo_sgmp {
 // The planes that hold at a pixel, as indices into a list of planes; those with the largest
 // support first.
 struct PlaneSet {
-  static constexpr int kMaxPlanes = 8;
+  // Planes that are found for one pixel, and the copies of each that a prior may follow.
+  static constexpr int kMaxFound = 8;
+  static constexpr int kPhases = 3;
+  static constexpr int kMaxPlanes = kMaxFound * kPhases;
 
   std::uint8_t count = 0;
   std::array<std::int16_t, kMaxPlanes> planes{};

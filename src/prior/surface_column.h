@@ -15,9 +15,9 @@ namespace stereo_sgmp {
 // same distance. Of surfaces that round to one disparity only the first given has a cell.
 class SurfaceColumn {
  public:
-  static constexpr int kMaxSurfaces = PlaneSet::kMaxPlanes;
+  static constexpr int kMaxSurfaces = 32;
   // Largest |S^| that Assign takes, far outside of any search range.
-  static constexpr int kMaxValue = 1 << 27;
+  static constexpr int kMaxValue = 1 << 25;
   static constexpr int kNoEnd = std::numeric_limits<int>::max();
 
   // `values[k]` is S^_k(p), within +-kMaxValue; `count` <= kMaxSurfaces.
@@ -52,6 +52,7 @@ class SurfaceColumn {
   }
 
  private:
+  static_assert(kMaxSurfaces >= PlaneSet::kMaxPlanes, "a column holds all planes of a set");
   static_assert((kMaxSurfaces & (kMaxSurfaces - 1)) == 0, "keys are split by their lowest bits");
   static std::size_t Slot(int cell) { return static_cast<std::size_t>(cell); }
 

@@ -48,7 +48,7 @@ TEST(ConvexHulls, OverlapHoldsBothPlanesLargestFirst) {
 }
 
 TEST(ConvexHulls, KeepsTheLargestWhereTooManyOverlap) {
-  constexpr int kPlanes = PlaneSet::kMaxPlanes + 3;
+  constexpr int kPlanes = PlaneSet::kMaxFound + 3;
   PlaneMap map = Empty(kPlanes, {2 * kPlanes + 1, 3});
   for (int i = 0; i < kPlanes; ++i) {
     map.labels.at<std::int16_t>(1, i) = static_cast<std::int16_t>(i);
@@ -57,7 +57,7 @@ TEST(ConvexHulls, KeepsTheLargestWhereTooManyOverlap) {
   ConvexHulls hulls;
   hulls.Build(map);
   const std::vector<int> middle = PlanesAt(hulls, kPlanes, 1);
-  ASSERT_EQ(middle.size(), static_cast<std::size_t>(PlaneSet::kMaxPlanes));
+  ASSERT_EQ(middle.size(), static_cast<std::size_t>(PlaneSet::kMaxFound));
   for (std::size_t k = 0; k < middle.size(); ++k) EXPECT_EQ(middle[k], static_cast<int>(k));
 }
 

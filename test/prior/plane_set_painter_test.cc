@@ -29,10 +29,10 @@ TEST(PlaneSetPainter, PixelsThatAreFullStay) {
   PlaneSetPainter painter;
   painter.Start({1, 1});
   const cv::Mat pixel(1, 1, CV_8UC1, cv::Scalar(255));
-  for (std::int16_t i = 0; i < PlaneSet::kMaxPlanes + 2; ++i) painter.Paint(i, pixel, {0, 0});
+  for (std::int16_t i = 0; i < PlaneSet::kMaxFound + 2; ++i) painter.Paint(i, pixel, {0, 0});
   const std::vector<int> planes = PlanesAt(painter.sets(), {0, 0});
-  ASSERT_EQ(planes.size(), static_cast<std::size_t>(PlaneSet::kMaxPlanes));
-  EXPECT_EQ(planes.back(), PlaneSet::kMaxPlanes - 1);
+  ASSERT_EQ(planes.size(), static_cast<std::size_t>(PlaneSet::kMaxFound));
+  EXPECT_EQ(planes.back(), PlaneSet::kMaxFound - 1);
 }
 
 TEST(PlaneSetPainter, StartForgetsTheLastImage) {

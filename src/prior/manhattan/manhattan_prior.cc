@@ -33,7 +33,7 @@ const OrientationPrior* ManhattanPrior::Estimate(const PriorOptions& options,
   const std::vector<LineSegment> lines = FindLineSegments(left);
   frame_ = FindManhattanFrame(lines, camera);
   if (!frame_) return nullptr;
-  hypotheses_.Find(coarse, options.min_plane_area, threads);
+  hypotheses_.Find(coarse, SmallestPlane(options, coarse.disparity.size()), threads);
   const cv::Size size = coarse.disparity.size();
   const CoarseScale scale = CoarseScale::Between(left.size(), size);
   ManhattanPlanes planes(frame_->directions, camera, scale);
@@ -41,7 +41,8 @@ const OrientationPrior* ManhattanPrior::Estimate(const PriorOptions& options,
   planes.AddSegments(MapOrientations(lines, *frame_, camera, left.size(), size), coarse);
   Spread(planes.Sorted(), scale, coarse.disparity);
   if (full_planes_.empty()) return nullptr;
-  prior_.Assign(full_planes_, painter_.sets(), full, options.jump_policy);
+  steering_.Assign(options, full_planes_, painter_.sets(), full);
+  prior_.Assign(steering_.planes(), steering_.sets(), full, options.jump_policy);
   return &prior_;
 }
 

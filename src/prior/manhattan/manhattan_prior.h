@@ -15,6 +15,7 @@
 #include "prior/plane_hypotheses.h"
 #include "prior/plane_set_painter.h"
 #include "prior/plane_set_prior.h"
+#include "prior/steering_planes.h"
 #include "stereo_sgmp/match_result.h"
 #include "stereo_sgmp/options.h"
 #include "stereo_sgmp/stereo_camera.h"
@@ -49,6 +50,7 @@ class ManhattanPrior {
   std::vector<DisparityPlane> coarse_planes_;
   std::vector<DisparityPlane> full_planes_;
   PlaneSetPainter painter_;
+  SteeringPlanes steering_;
   PlaneSetPrior prior_;
   PlanePriors report_;
 };

@@ -1,0 +1,38 @@
+// Planes for the pixels that no plane was found for.
+#ifndef STEREO_SGMP_PRIOR_LABEL_SPREAD_H_
+#define STEREO_SGMP_PRIOR_LABEL_SPREAD_H_
+
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+namespace stereo_sgmp {
+
+// Hands labels on to pixels that look alike: each pixel without a label takes that of the labelled
+// pixel at the end of the cheapest path (4-neighbours). A step costs 2 plus the largest channel
+// difference of its two pixels; paths that cost more than 150 end. A surface without texture, for
+// which the coarse pass finds no plane, so takes the plane of its textured part, and borders of
+// objects hold the labels up. Keeps its buffers.
+class LabelSpreader {
+ public:
+  // `image`: CV_8U, 1, 3 or 4 channels (of 4 the last is not used). `labels`: CV_16S of its size,
+  // -1 for none. Of paths that cost the same the one from the earlier pixel, row by row, counts.
+  // Throws std::invalid_argument where types or sizes don't fit.
+  void Spread(const cv::Mat& image, cv::Mat* labels);
+
+ private:
+  struct Arrival {
+    int x;
+    int y;
+  };
+
+  void Seed(const cv::Mat& labels);
+  void Leave(const cv::Mat& image, Arrival from, int cost, cv::Mat* labels);
+
+  cv::Mat_<int> cost_;                          // of the cheapest path so far
+  std::vector<std::vector<Arrival>> arrivals_;  // by cost: pixels that paths reach
+};
+
+}  // namespace stereo_sgmp
+
+#endif  // STEREO_SGMP_PRIOR_LABEL_SPREAD_H_

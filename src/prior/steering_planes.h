@@ -1,0 +1,42 @@
+// From planes that were found to planes that steer the aggregation.
+#ifndef STEREO_SGMP_PRIOR_STEERING_PLANES_H_
+#define STEREO_SGMP_PRIOR_STEERING_PLANES_H_
+
+#include <vector>
+
+#include "cost/cost_rows.h"
+#include "prior/plane_sets.h"
+#include "stereo_sgmp/disparity_plane.h"
+#include "stereo_sgmp/options.h"
+
+namespace stereo_sgmp {
+
+// Beyond the paper, as far as PriorOptions ask for it:
+//
+// Attraction. The jumps of a plane keep paths apart that differ by a disparity: a path beside the
+// plane stays beside it. Copies of the plane a fraction of a disparity above and below round to
+// other steps. A path next to the plane follows a copy until that rounds to the plane's own
+// disparity, and goes on with the plane. The prior of orientation so becomes a weak one of
+// position too, within a disparity. The plane itself comes before its copies in each set: it has
+// the cell where they round to one disparity.
+//
+// Flat planes. SGM is at home where disparities don't change. A plane with hardly any slope
+// becomes constant: its few steps, placed by an uncertain slope, would do more harm than good.
+class SteeringPlanes {
+ public:
+  // `found` in full-size pixels of a volume of `shape`, `sets` of at most PlaneSet::kMaxFound
+  // planes each.
+  void Assign(const PriorOptions& options, const std::vector<DisparityPlane>& found,
+              const PlaneSets& sets, const VolumeShape& shape);
+
+  const std::vector<DisparityPlane>& planes() const { return planes_; }
+  const PlaneSets& sets() const { return sets_; }
+
+ private:
+  std::vector<DisparityPlane> planes_;
+  PlaneSets sets_;
+};
+
+}  // namespace stereo_sgmp
+
+#endif  // STEREO_SGMP_PRIOR_STEERING_PLANES_H_
