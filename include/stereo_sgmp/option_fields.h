@@ -137,7 +137,8 @@ void VisitOptions(OptionsT& o, Visitor&& visit) {
                     "Jumps across label borders: literal (the paper's equation) or same_surface."},
         o.prior.jump_policy);
   visit(OptionField{"prior/jump_slack", "cost",
-                    "Price of not following a jump; -1 makes the shifted transition the only "
+                    "Price of not following a jump of an estimated plane; -1 makes the shifted "
+                    "transition the only "
                     "free one, as in the paper.",
                     -1, 1000},
         o.prior.jump_slack);

@@ -75,9 +75,9 @@ struct AggregationOptions {
 struct PriorOptions {
   Variant variant = Variant::kEpv;
   JumpPolicy jump_policy = JumpPolicy::kSameSurface;
-  int jump_slack = 15;
+  int jump_slack = 12;
   double attraction = 0.25;
-  double min_slope = 0.03;
+  double min_slope = 0.04;
   int coarse_factor = 0;
   double keep_quantile = 0.95;
   int min_plane_area = 800;

@@ -30,7 +30,7 @@ class SharpenedCosts : public CostRows {
 class Aggregator::Impl {
  public:
   void Run(const CostRows& costs, const cv::Mat& guide, const AggregationOptions& options,
-           const OrientationPrior* prior, int jump_slack, ThreadPool* pool, WinnerMap* winners) {
+           const PathPrior& prior, ThreadPool* pool, WinnerMap* winners) {
     const VolumeShape& shape = costs.shape();
     const Penalties penalties(options);
     winners->Create(shape);
@@ -42,8 +42,8 @@ class Aggregator::Impl {
     job.costs = &costs;
     job.contrast = &contrast_;
     job.penalties = &penalties;
-    job.prior = prior;
-    job.jump_slack = jump_slack;
+    job.prior = prior.first_round;
+    job.jump_slack = prior.jump_slack;
     job.sum = sum_.data();
     job.minimum_sum = minimum_sum_.data();
     job.winners = winners;
@@ -57,6 +57,7 @@ class Aggregator::Impl {
     RunRound(job, SweepKind::kSharpen, pool);
     const SharpenedCosts sharpened(shape, sharpened_.data());
     job.costs = &sharpened;
+    job.prior = prior.last_round;
     RunRound(job, SweepKind::kLast, pool);
   }
 
@@ -82,9 +83,8 @@ Aggregator::Aggregator() : impl_(std::make_unique<Impl>()) {}
 Aggregator::~Aggregator() = default;
 
 void Aggregator::Run(const CostRows& costs, const cv::Mat& guide, const AggregationOptions& options,
-                     const OrientationPrior* prior, int jump_slack, ThreadPool* pool,
-                     WinnerMap* winners) {
-  impl_->Run(costs, guide, options, prior, jump_slack, pool, winners);
+                     const PathPrior& prior, ThreadPool* pool, WinnerMap* winners) {
+  impl_->Run(costs, guide, options, prior, pool, winners);
 }
 
 std::size_t Aggregator::Memory(const VolumeShape& shape, PathScheme scheme, int threads) {

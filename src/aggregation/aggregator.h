@@ -14,6 +14,13 @@
 
 namespace stereo_sgmp {
 
+// The prior that paths follow, if any.
+struct PathPrior {
+  const OrientationPrior* first_round = nullptr;  // the only round of PathScheme::kEight
+  const OrientationPrior* last_round = nullptr;   // of PathScheme::kFourTwice
+  int jump_slack = -1;                            // see PriorOptions
+};
+
 // Semi-global aggregation of matching costs (SGM, Section 3.1), with an orientation prior if
 // there is one (SGM-P, Sections 3.2 and 3.3).
 //
@@ -28,10 +35,9 @@ class Aggregator {
   Aggregator(const Aggregator&) = delete;
   Aggregator& operator=(const Aggregator&) = delete;
 
-  // `guide`: the left image, CV_8UC1 or CV_8UC3, for P2. `prior` may be null. `jump_slack`: see
-  // PriorOptions.
+  // `guide`: the left image, CV_8UC1 or CV_8UC3, for P2.
   void Run(const CostRows& costs, const cv::Mat& guide, const AggregationOptions& options,
-           const OrientationPrior* prior, int jump_slack, ThreadPool* pool, WinnerMap* winners);
+           const PathPrior& prior, ThreadPool* pool, WinnerMap* winners);
 
   // Bytes held for a volume of this shape.
   static std::size_t Memory(const VolumeShape& shape, PathScheme scheme, int threads);

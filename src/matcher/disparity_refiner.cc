@@ -68,8 +68,14 @@ void DisparityRefiner::MakeDense(const WinnerMap& winners, const cv::Mat& image,
     superpixel_planes_.Apply(superpixels_.labels(), superpixels_.count(), result->confidence,
                              winners.shape, &disparity, &valid_, pool);
   }
-  if (refinement.plane_smoothing) smoother_.Smooth(image, valid_, &disparity, pool);
   FillScanlines(valid_, static_cast<float>(options.min_disparity), &disparity, pool);
+  if (refinement.weighted_median) {
+    weighted_median_.Apply(image, result->confidence, disparity, &disparity, pool);
+  }
+  if (refinement.plane_smoothing) {
+    valid_.setTo(255);  // what was filled lies on a surface now
+    smoother_.Smooth(image, valid_, &disparity, pool);
+  }
   if (refinement.median) median_.Apply(filled_, &result->dense, pool);
 }
 

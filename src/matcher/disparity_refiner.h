@@ -10,6 +10,7 @@
 #include "refinement/plane_smoothing.h"
 #include "refinement/speckle.h"
 #include "refinement/superpixel_planes.h"
+#include "refinement/weighted_median.h"
 #include "stereo_sgmp/match_result.h"
 #include "stereo_sgmp/options.h"
 
@@ -33,6 +34,7 @@ class DisparityRefiner {
   SuperpixelPlanes superpixel_planes_;
   PlaneSmoother smoother_;
   MedianFilter median_;
+  WeightedMedianFilter weighted_median_;
   SpeckleFilter speckle_;
 };
 

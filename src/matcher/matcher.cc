@@ -68,7 +68,7 @@ class Matcher::Impl {
 
     coarse_.Run(options_, images_, pool_.get());
     clock.Mark("coarse pass");
-    const OrientationPrior* prior =
+    const PathPrior prior =
         prior_.Make(options_.prior, inputs, images_, coarse_, shape, pool_.get(), &result->priors);
     result->statistics.planes = static_cast<int>(result->priors.planes.size());
     clock.Mark("prior");
@@ -80,8 +80,7 @@ class Matcher::Impl {
     clock.Mark("cost");
     const cv::Mat& guide =
         options_.aggregation.color_guide ? images_.left_color() : images_.left_gray();
-    aggregator_.Run(costs, guide, options_.aggregation, prior, options_.prior.jump_slack,
-                    pool_.get(), &winners_);
+    aggregator_.Run(costs, guide, options_.aggregation, prior, pool_.get(), &winners_);
     clock.Mark("aggregation");
     refiner_.Run(winners_, images_.left_color(), options_, pool_.get(), result);
     clock.Mark("refinement");

@@ -8,6 +8,8 @@ namespace {
 Options Quality() {
   Options options;
   options.aggregation.scheme = PathScheme::kFourTwice;
+  options.prior.coarse_factor = 3;
+  options.refinement.median = false;
   options.refinement.weighted_median = true;
   options.refinement.plane_smoothing = true;
   options.refinement.superpixel_planes = true;
@@ -25,6 +27,7 @@ Options Paper() {
   options.aggregation.beta = 10.0;
   options.aggregation.color_guide = false;
   options.prior.variant = Variant::kEpi;
+  options.prior.jump_slack = 15;
   options.prior.attraction = 0.0;
   options.prior.min_slope = 0.0;
   options.prior.min_plane_area = 60;

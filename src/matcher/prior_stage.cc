@@ -55,6 +55,9 @@ void ShrinkSurface(const cv::Mat& surface, cv::Size size, cv::Mat* coarse, cv::M
   }
 }
 
+// Given surfaces and normals are trusted: not following them is never free, as in the paper.
+PathPrior Trusted(const OrientationPrior* prior) { return {prior, prior, -1}; }
+
 void Clear(PlanePriors* report) {
   report->planes.clear();
   report->labels.release();
@@ -80,10 +83,9 @@ void CheckInputs(Variant variant, const MatchInputs& inputs, cv::Size size) {
   }
 }
 
-const OrientationPrior* PriorStage::Make(const PriorOptions& options, const MatchInputs& inputs,
-                                         const ImagePair& images, const CoarsePass& coarse,
-                                         const VolumeShape& shape, ThreadPool* pool,
-                                         PlanePriors* report) {
+PathPrior PriorStage::Make(const PriorOptions& options, const MatchInputs& inputs,
+                           const ImagePair& images, const CoarsePass& coarse,
+                           const VolumeShape& shape, ThreadPool* pool, PlanePriors* report) {
   report->variant = options.variant;
   report->note.clear();
   switch (options.variant) {
@@ -102,48 +104,47 @@ const OrientationPrior* PriorStage::Make(const PriorOptions& options, const Matc
       break;
   }
   Clear(report);
-  if (options.variant == Variant::kSgm) return nullptr;
+  if (options.variant == Variant::kSgm) return {};
   if (options.variant == Variant::kGs) return FromSurface(inputs.surface, shape);
-  return normals_.Build({options.variant == Variant::kGnv, options.gni_disparity}, inputs.normals,
-                        cv::Mat(), *inputs.camera, shape, pool);
+  return Trusted(normals_.Build({options.variant == Variant::kGnv, options.gni_disparity},
+                                inputs.normals, cv::Mat(), *inputs.camera, shape, pool));
 }
 
-const OrientationPrior* PriorStage::FromPlanes(const PriorOptions& options,
-                                               const CoarseDisparity& coarse,
-                                               const cv::Mat& coarse_left, const VolumeShape& shape,
-                                               ThreadPool* pool, PlanePriors* report) {
+PathPrior PriorStage::FromPlanes(const PriorOptions& options, const CoarseDisparity& coarse,
+                                 const cv::Mat& coarse_left, const VolumeShape& shape,
+                                 ThreadPool* pool, PlanePriors* report) {
   const OrientationPrior* prior = estimated_.Estimate(options, coarse, coarse_left, shape, pool);
   report->planes = estimated_.report().planes;
   estimated_.report().labels.copyTo(report->labels);
-  return prior;
+  return {prior, estimated_.parallel(), options.jump_slack};
 }
 
-const OrientationPrior* PriorStage::FromSurface(const cv::Mat& surface, const VolumeShape& shape) {
+PathPrior PriorStage::FromSurface(const cv::Mat& surface, const VolumeShape& shape) {
   surface_.Assign(surface, shape);
-  return &surface_;
+  return Trusted(&surface_);
 }
 
 // The planes of a given surface are found and spread as those of a coarse disparity map (EPi).
-const OrientationPrior* PriorStage::FromPlanesOfSurface(PriorOptions options,
-                                                        const cv::Mat& surface,
-                                                        const CoarsePass& coarse,
-                                                        const VolumeShape& shape, ThreadPool* pool,
-                                                        PlanePriors* report) {
+PathPrior PriorStage::FromPlanesOfSurface(PriorOptions options, const cv::Mat& surface,
+                                          const CoarsePass& coarse, const VolumeShape& shape,
+                                          ThreadPool* pool, PlanePriors* report) {
   ShrinkSurface(surface, coarse.image().size(), &coarse_surface_, &known_);
   options.variant = Variant::kEpi;
+  options.jump_slack = -1;
   return FromPlanes(options, {coarse_surface_, known_}, coarse.image(), shape, pool, report);
 }
 
-const OrientationPrior* PriorStage::FromManhattanWorld(
-    const PriorOptions& options, const StereoCamera& camera, const ImagePair& images,
-    const CoarsePass& coarse, const VolumeShape& shape, ThreadPool* pool, PlanePriors* report) {
+PathPrior PriorStage::FromManhattanWorld(const PriorOptions& options, const StereoCamera& camera,
+                                         const ImagePair& images, const CoarsePass& coarse,
+                                         const VolumeShape& shape, ThreadPool* pool,
+                                         PlanePriors* report) {
   const CoarseDisparity disparity{coarse.disparity(), coarse.confident()};
   const OrientationPrior* prior =
       manhattan_.Estimate(options, disparity, images.left_color(), camera, shape, pool);
   if (prior != nullptr) {
     report->planes = manhattan_.report().planes;
     manhattan_.report().labels.copyTo(report->labels);
-    return prior;
+    return {prior, manhattan_.parallel(), options.jump_slack};
   }
   PriorOptions fallback = options;
   fallback.variant = Variant::kEpv;

@@ -3,6 +3,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "aggregation/aggregator.h"
 #include "common/thread_pool.h"
 #include "cost/cost_rows.h"
 #include "images/image_pair.h"
@@ -10,7 +11,6 @@
 #include "prior/estimated_prior.h"
 #include "prior/manhattan/manhattan_prior.h"
 #include "prior/normals/normal_prior.h"
-#include "prior/orientation_prior.h"
 #include "prior/surface_prior.h"
 #include "stereo_sgmp/match_inputs.h"
 #include "stereo_sgmp/match_result.h"
@@ -25,24 +25,23 @@ void CheckInputs(Variant variant, const MatchInputs& inputs, cv::Size size);
 // The orientation prior of a frame, from whichever producer the variant asks for.
 class PriorStage {
  public:
-  // Null where there is nothing to follow. The prior is valid until the next call. `report` says
-  // what was found. `inputs` must have passed CheckInputs.
-  const OrientationPrior* Make(const PriorOptions& options, const MatchInputs& inputs,
-                               const ImagePair& images, const CoarsePass& coarse,
-                               const VolumeShape& shape, ThreadPool* pool, PlanePriors* report);
+  // Without priors where there is nothing to follow; they are valid until the next call. `report`
+  // says what was found. `inputs` must have passed CheckInputs.
+  PathPrior Make(const PriorOptions& options, const MatchInputs& inputs, const ImagePair& images,
+                 const CoarsePass& coarse, const VolumeShape& shape, ThreadPool* pool,
+                 PlanePriors* report);
 
  private:
-  const OrientationPrior* FromPlanes(const PriorOptions& options, const CoarseDisparity& coarse,
-                                     const cv::Mat& coarse_left, const VolumeShape& shape,
-                                     ThreadPool* pool, PlanePriors* report);
-  const OrientationPrior* FromSurface(const cv::Mat& surface, const VolumeShape& shape);
-  const OrientationPrior* FromPlanesOfSurface(PriorOptions options, const cv::Mat& surface,
-                                              const CoarsePass& coarse, const VolumeShape& shape,
-                                              ThreadPool* pool, PlanePriors* report);
-  const OrientationPrior* FromManhattanWorld(const PriorOptions& options,
-                                             const StereoCamera& camera, const ImagePair& images,
-                                             const CoarsePass& coarse, const VolumeShape& shape,
-                                             ThreadPool* pool, PlanePriors* report);
+  PathPrior FromPlanes(const PriorOptions& options, const CoarseDisparity& coarse,
+                       const cv::Mat& coarse_left, const VolumeShape& shape, ThreadPool* pool,
+                       PlanePriors* report);
+  PathPrior FromSurface(const cv::Mat& surface, const VolumeShape& shape);
+  PathPrior FromPlanesOfSurface(PriorOptions options, const cv::Mat& surface,
+                                const CoarsePass& coarse, const VolumeShape& shape,
+                                ThreadPool* pool, PlanePriors* report);
+  PathPrior FromManhattanWorld(const PriorOptions& options, const StereoCamera& camera,
+                               const ImagePair& images, const CoarsePass& coarse,
+                               const VolumeShape& shape, ThreadPool* pool, PlanePriors* report);
 
   EstimatedPrior estimated_;
   SurfacePrior surface_;

@@ -38,10 +38,8 @@ const OrientationPrior* EstimatedPrior::Estimate(const PriorOptions& options,
   const PlaneSets& sets = options.variant == Variant::kEpi
                               ? SpreadOverSuperpixels(options, coarse_left, threads)
                               : SpreadOverHulls(options, coarse.disparity, coarse_left);
-  if (full_planes_.empty()) return nullptr;
   steering_.Assign(options, full_planes_, sets, full);
-  prior_.Assign(steering_.planes(), steering_.sets(), full, options.jump_policy);
-  return &prior_;
+  return steering_.attracting();
 }
 
 void EstimatedPrior::ScaleUp(const CoarseScale& scale) {

@@ -14,7 +14,6 @@
 #include "prior/modal_planes.h"
 #include "prior/orientation_prior.h"
 #include "prior/plane_hypotheses.h"
-#include "prior/plane_set_prior.h"
 #include "prior/steering_planes.h"
 #include "prior/superpixels.h"
 #include "stereo_sgmp/match_result.h"
@@ -37,6 +36,9 @@ class EstimatedPrior {
                                    const cv::Mat& coarse_left, const VolumeShape& full,
                                    ThreadPool* threads);
 
+  // The same prior without attraction, for the second round of PathScheme::kFourTwice.
+  const OrientationPrior* parallel() const { return steering_.parallel(); }
+
   // What the last Estimate found.
   const PlanePriors& report() const { return report_; }
 
@@ -58,7 +60,6 @@ class EstimatedPrior {
   PlaneMap spread_;
   std::vector<DisparityPlane> full_planes_;
   SteeringPlanes steering_;
-  PlaneSetPrior prior_;
   PlanePriors report_;
 };
 

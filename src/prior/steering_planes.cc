@@ -33,15 +33,23 @@ void SteeringPlanes::Assign(const PriorOptions& options, const std::vector<Dispa
   for (const DisparityPlane& plane : found) {
     planes_.push_back(Flattened(plane, options.min_slope, shape));
   }
+  empty_ = found.empty();
+  if (empty_) return;
+  parallel_.Assign(planes_, sets, shape, options.jump_policy);
   sets_.ids = sets.ids;  // the same image: it is only read
   sets_.sets = sets.sets;
-  if (options.attraction <= 0.0) return;
-  for (const double offset : {-options.attraction, options.attraction}) {
-    for (std::size_t i = 0; i < found.size(); ++i) {
+  if (options.attraction > 0.0) AddCopies(options.attraction);
+  attracting_.Assign(planes_, sets_, shape, options.jump_policy);
+}
+
+void SteeringPlanes::AddCopies(double attraction) {
+  const std::size_t found = planes_.size();
+  for (const double offset : {-attraction, attraction}) {
+    for (std::size_t i = 0; i < found; ++i) {
       planes_.push_back({planes_[i].a, planes_[i].b, planes_[i].c + offset});
     }
   }
-  for (PlaneSet& set : sets_.sets) set = WithCopies(set, found.size());
+  for (PlaneSet& set : sets_.sets) set = WithCopies(set, found);
 }
 
 }  // namespace stereo_sgmp

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "cost/cost_rows.h"
+#include "prior/orientation_prior.h"
+#include "prior/plane_set_prior.h"
 #include "prior/plane_sets.h"
 #include "stereo_sgmp/disparity_plane.h"
 #include "stereo_sgmp/options.h"
@@ -22,6 +24,10 @@ namespace stereo_sgmp {
 //
 // Flat planes. SGM is at home where disparities don't change. A plane with hardly any slope
 // becomes constant: its few steps, placed by an uncertain slope, would do more harm than good.
+//
+// Attraction pulls to planes that are known to a fraction of a disparity at best. Where there is a
+// second round of paths it follows the planes without their copies: what the first round brought
+// near the plane finds its own disparity again.
 class SteeringPlanes {
  public:
   // `found` in full-size pixels of a volume of `shape`, `sets` of at most PlaneSet::kMaxFound
@@ -29,12 +35,18 @@ class SteeringPlanes {
   void Assign(const PriorOptions& options, const std::vector<DisparityPlane>& found,
               const PlaneSets& sets, const VolumeShape& shape);
 
-  const std::vector<DisparityPlane>& planes() const { return planes_; }
-  const PlaneSets& sets() const { return sets_; }
+  // Both are null where nothing was found. They are this object's.
+  const OrientationPrior* attracting() const { return empty_ ? nullptr : &attracting_; }
+  const OrientationPrior* parallel() const { return empty_ ? nullptr : &parallel_; }
 
  private:
+  void AddCopies(double attraction);
+
+  bool empty_ = true;
   std::vector<DisparityPlane> planes_;
   PlaneSets sets_;
+  PlaneSetPrior parallel_;
+  PlaneSetPrior attracting_;
 };
 
 }  // namespace stereo_sgmp

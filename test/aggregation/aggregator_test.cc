@@ -129,7 +129,9 @@ class AggregatorTest : public ::testing::Test {
     const ReferenceCosts costs(volume);
     const FunctionPrior prior(volume.shape, jump);
     WinnerMap winners;
-    aggregator_.Run(costs, guide, options_, jump ? &prior : nullptr, slack, &pool, &winners);
+    aggregator_.Run(costs, guide, options_,
+                    PathPrior{jump ? &prior : nullptr, jump ? &prior : nullptr, slack}, &pool,
+                    &winners);
     return winners;
   }
 

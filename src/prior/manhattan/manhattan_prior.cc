@@ -40,10 +40,8 @@ const OrientationPrior* ManhattanPrior::Estimate(const PriorOptions& options,
   planes.AddHypotheses(hypotheses_.map(), coarse.disparity);
   planes.AddSegments(MapOrientations(lines, *frame_, camera, left.size(), size), coarse);
   Spread(planes.Sorted(), scale, coarse.disparity);
-  if (full_planes_.empty()) return nullptr;
   steering_.Assign(options, full_planes_, painter_.sets(), full);
-  prior_.Assign(steering_.planes(), steering_.sets(), full, options.jump_policy);
-  return &prior_;
+  return steering_.attracting();
 }
 
 void ManhattanPrior::Spread(const std::vector<ManhattanPlane>& planes, const CoarseScale& scale,

@@ -14,7 +14,6 @@
 #include "prior/orientation_prior.h"
 #include "prior/plane_hypotheses.h"
 #include "prior/plane_set_painter.h"
-#include "prior/plane_set_prior.h"
 #include "prior/steering_planes.h"
 #include "stereo_sgmp/match_result.h"
 #include "stereo_sgmp/options.h"
@@ -37,6 +36,9 @@ class ManhattanPrior {
                                    const cv::Mat& left, const StereoCamera& camera,
                                    const VolumeShape& full, ThreadPool* threads);
 
+  // The same prior without attraction, for the second round of PathScheme::kFourTwice.
+  const OrientationPrior* parallel() const { return steering_.parallel(); }
+
   // What the last Estimate found.
   const std::optional<ManhattanFrame>& frame() const { return frame_; }
   const PlanePriors& report() const { return report_; }
@@ -51,7 +53,6 @@ class ManhattanPrior {
   std::vector<DisparityPlane> full_planes_;
   PlaneSetPainter painter_;
   SteeringPlanes steering_;
-  PlaneSetPrior prior_;
   PlanePriors report_;
 };
 
