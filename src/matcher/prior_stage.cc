@@ -139,8 +139,8 @@ PathPrior PriorStage::FromManhattanWorld(const PriorOptions& options, const Ster
                                          const VolumeShape& shape, ThreadPool* pool,
                                          PlanePriors* report) {
   const CoarseDisparity disparity{coarse.disparity(), coarse.confident()};
-  const OrientationPrior* prior =
-      manhattan_.Estimate(options, disparity, images.left_color(), camera, shape, pool);
+  const OrientationPrior* prior = manhattan_.Estimate(options, disparity, images.left_color(),
+                                                      coarse.image(), camera, shape, pool);
   if (prior != nullptr) {
     report->planes = manhattan_.report().planes;
     manhattan_.report().labels.copyTo(report->labels);

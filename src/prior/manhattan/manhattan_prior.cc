@@ -20,6 +20,7 @@ constexpr std::size_t kMaxPlanes = std::numeric_limits<std::int16_t>::max();
 
 const OrientationPrior* ManhattanPrior::Estimate(const PriorOptions& options,
                                                  const CoarseDisparity& coarse, const cv::Mat& left,
+                                                 const cv::Mat& coarse_left,
                                                  const StereoCamera& camera,
                                                  const VolumeShape& full, ThreadPool* threads) {
   camera.Check();
@@ -40,6 +41,7 @@ const OrientationPrior* ManhattanPrior::Estimate(const PriorOptions& options,
   planes.AddHypotheses(hypotheses_.map(), coarse.disparity);
   planes.AddSegments(MapOrientations(lines, *frame_, camera, left.size(), size), coarse);
   Spread(planes.Sorted(), scale, coarse.disparity);
+  if (options.spread) SpreadToRest(coarse_left, coarse.disparity);
   steering_.Assign(options, full_planes_, painter_.sets(), full);
   return steering_.attracting();
 }
@@ -56,6 +58,14 @@ void ManhattanPrior::Spread(const std::vector<ManhattanPlane>& planes, const Coa
     coarse_planes_.push_back(scale.ToCoarse(plane.found.plane));
     report_.planes.push_back(plane.found);
   }
+  LabelNearestPlanes(painter_.sets(), coarse_planes_, disparity, &report_.labels);
+}
+
+// The pixels that no plane was found for take those of the pixels that look like them.
+void ManhattanPrior::SpreadToRest(const cv::Mat& coarse_left, const cv::Mat& disparity) {
+  report_.labels.copyTo(spread_);
+  spreader_.Spread(coarse_left, &spread_);
+  painter_.FillEmpty(spread_);
   LabelNearestPlanes(painter_.sets(), coarse_planes_, disparity, &report_.labels);
 }
 

@@ -9,6 +9,7 @@
 
 #include "common/thread_pool.h"
 #include "cost/cost_rows.h"
+#include "prior/label_spread.h"
 #include "prior/manhattan/manhattan_planes.h"
 #include "prior/manhattan/vanishing_points.h"
 #include "prior/orientation_prior.h"
@@ -25,16 +26,18 @@ namespace stereo_sgmp {
 // resolution. Keeps its buffers from frame to frame.
 class ManhattanPrior {
  public:
-  // `left` is the left image in full size (CV_8U, 1, 3 or 4 channels), `camera` its camera, `full`
-  // the volume the prior is for. `threads` may be null.
+  // `left` is the left image in full size (CV_8U, 1, 3 or 4 channels), `coarse_left` the same at
+  // the size of the coarse maps, `camera` its camera, `full` the volume the prior is for. `threads`
+  // may be null.
   //
   // Returns the prior, which is this object's and holds until the next call, or null where there
   // is nothing to follow: the lines show no Manhattan world (frame() tells), or no plane was
   // found. Throws std::invalid_argument where sizes or types don't fit or the camera can't be, and
   // std::runtime_error where OpenCV finds no lines (see FindLineSegments).
   const OrientationPrior* Estimate(const PriorOptions& options, const CoarseDisparity& coarse,
-                                   const cv::Mat& left, const StereoCamera& camera,
-                                   const VolumeShape& full, ThreadPool* threads);
+                                   const cv::Mat& left, const cv::Mat& coarse_left,
+                                   const StereoCamera& camera, const VolumeShape& full,
+                                   ThreadPool* threads);
 
   // The same prior without attraction, for the second round of PathScheme::kFourTwice.
   const OrientationPrior* parallel() const { return steering_.parallel(); }
@@ -46,12 +49,15 @@ class ManhattanPrior {
  private:
   void Spread(const std::vector<ManhattanPlane>& planes, const CoarseScale& scale,
               const cv::Mat& disparity);
+  void SpreadToRest(const cv::Mat& coarse_left, const cv::Mat& disparity);
 
   std::optional<ManhattanFrame> frame_;
   PlaneHypotheses hypotheses_;
   std::vector<DisparityPlane> coarse_planes_;
   std::vector<DisparityPlane> full_planes_;
   PlaneSetPainter painter_;
+  LabelSpreader spreader_;
+  cv::Mat spread_;
   SteeringPlanes steering_;
   PlanePriors report_;
 };

@@ -37,15 +37,17 @@ struct Inputs {
     shape.disparities = kDisparities;
     cv::resize(scene.disparity, disparity, kSize / kShrink, 0, 0, cv::INTER_AREA);
     disparity /= kShrink;
+    cv::resize(scene.left, coarse_left, disparity.size(), 0, 0, cv::INTER_AREA);
     confident = cv::Mat(disparity.size(), CV_8UC1, cv::Scalar(255));
   }
   const OrientationPrior* Estimate(ManhattanPrior* prior, ThreadPool* threads = nullptr) const {
-    return prior->Estimate(PriorOptions(), {disparity, confident}, scene.left, scene.camera, shape,
-                           threads);
+    return prior->Estimate(PriorOptions(), {disparity, confident}, scene.left, coarse_left,
+                           scene.camera, shape, threads);
   }
 
   GeneratedScene scene;
   VolumeShape shape;
+  cv::Mat coarse_left;
   cv::Mat disparity;
   cv::Mat confident;
 };
