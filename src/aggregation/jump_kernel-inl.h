@@ -37,14 +37,16 @@ HWY_INLINE void MoveSegment(const JumpSegment& segment, const std::uint16_t* cos
   }
 }
 
-// Not following the jump costs `slack`: moved[t] = min(moved[t], costs[t] + slack).
-HWY_INLINE void AllowStaying(const std::uint16_t* costs, int disparities, int slack,
-                             std::uint16_t* moved) {
+// What is left without the jump: L(p, t) + slack where staying is allowed, else nothing.
+HWY_INLINE void StartMoved(const std::uint16_t* costs, int disparities, int slack,
+                           std::uint16_t* moved) {
   const hn::ScalableTag<std::uint16_t> d;
-  const auto price = hn::Set(d, static_cast<std::uint16_t>(slack));
-  for (int t = 0; t < disparities; t += static_cast<int>(hn::Lanes(d))) {
-    const auto stay = hn::Add(hn::LoadU(d, costs + t), price);
-    hn::StoreU(hn::Min(stay, hn::LoadU(d, moved + t)), d, moved + t);
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const auto unreachable = hn::Set(d, PathSlot::kUnreachable);
+  const auto price = hn::Set(d, static_cast<std::uint16_t>(std::max(slack, 0)));
+  for (int t = -PathSlot::kPad; t <= disparities; t += lanes) {
+    const auto stay = hn::Min(hn::Add(hn::Load(d, costs + t), price), unreachable);
+    hn::Store(slack >= 0 ? stay : unreachable, d, moved + t);
   }
 }
 
@@ -58,12 +60,8 @@ HWY_INLINE const std::uint16_t* MovePredecessor(const JumpRow& row, std::size_t 
   const bool varies = jump == JumpRow::kVaries;
   if (!varies && slack < 0 && std::abs(jump) < PathSlot::kPad) return costs - jump;
 
-  const hn::ScalableTag<std::uint16_t> d;
   std::uint16_t* moved = scratch + PathSlot::kPad;
-  const auto unreachable = hn::Set(d, PathSlot::kUnreachable);
-  for (int t = -PathSlot::kPad; t <= disparities; t += static_cast<int>(hn::Lanes(d))) {
-    hn::Store(unreachable, d, moved + t);
-  }
+  StartMoved(costs, disparities, slack, moved);
   if (varies) {
     const JumpSegment* segment = row.segments.data() + row.first_segment[entry];
     for (int i = 0; i < row.segment_count[entry]; ++i) {
@@ -72,7 +70,6 @@ HWY_INLINE const std::uint16_t* MovePredecessor(const JumpRow& row, std::size_t 
   } else {
     MoveSegment({0, disparities, jump}, costs, disparities, moved);
   }
-  if (slack >= 0) AllowStaying(costs, disparities, slack, moved);
   return moved;
 }
 
