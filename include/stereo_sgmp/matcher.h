@@ -48,8 +48,10 @@ class Matcher {
   std::unique_ptr<Impl> impl_;
 };
 
-// Bytes that a Matcher with these options holds at its peak for images of this size.
-std::size_t EstimateMemory(const Options& options, cv::Size image_size);
+// Bytes that a Matcher with these options holds at its peak for images of this size, without those
+// of the images and inputs themselves, which are the caller's.
+std::size_t EstimateMemory(const Options& options, cv::Size image_size,
+                           const MatchInputs& inputs = MatchInputs());
 
 }  // namespace stereo_sgmp
 

@@ -65,6 +65,15 @@ struct EnumNames<ConfidenceMeasure> {
        {ConfidenceMeasure::kUncertainty, "uncertainty"}}};
 };
 
+// "" for what is no value of the enum.
+template <class Enum>
+constexpr const char* NameOf(Enum value) {
+  for (const auto& [candidate, name] : EnumNames<Enum>::kValues) {
+    if (candidate == value) return name;
+  }
+  return "";
+}
+
 struct OptionField {
   const char* name;  // unique; '/' separates the part from the field, as in "prior/variant"
   const char* unit;  // "" for pure numbers, switches and choices

@@ -40,7 +40,6 @@ class Matcher::Impl {
       pool_ = std::make_unique<ThreadPool>(options.threads);
     }
     options_ = options;
-    checked_size_ = cv::Size();
   }
 
   const Options& options() const { return options_; }
@@ -56,11 +55,8 @@ class Matcher::Impl {
                             options_.min_disparity};
     std::optional<VolumeCost> given_costs;
     if (inputs.costs != nullptr) given_costs.emplace(*inputs.costs, shape);
-    if (size != checked_size_) {
-      CheckMemory(options_, size, held_);
-      checked_size_ = size;
-      held_ = EstimateMemory(options_, size);
-    }
+    CheckMemory(options_, size, inputs, held_);
+    held_ = EstimateMemory(options_, size, inputs);
     clock.Mark("images");
 
     result->statistics.alignment = AlignRows();
@@ -103,8 +99,7 @@ class Matcher::Impl {
 
   Options options_;
   std::unique_ptr<ThreadPool> pool_;
-  cv::Size checked_size_;  // for which there is enough memory
-  std::size_t held_ = 0;   // bytes of the buffers of the last frame
+  std::size_t held_ = 0;  // bytes of the buffers of the last frame
   ImagePair images_;
   RigAlignment alignment_;
   cv::Mat warped_;

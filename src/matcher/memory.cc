@@ -1,6 +1,7 @@
 #include "matcher/memory.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -22,6 +23,14 @@ constexpr double kMegabyte = 1024.0 * 1024.0;
 // float images of the refinement and those of a MatchResult, masks and labels.
 constexpr std::size_t kImageBytesPerPixel = 80;
 
+// Bytes per pixel of a prior from normals: shape and component of the surfaces, of the frame
+// before too, and what they are integrated to.
+constexpr std::size_t kNormalsBytesPerPixel = 3 * (sizeof(float) + sizeof(std::int32_t));
+
+// Bytes per coarse pixel of a Manhattan world: 15 masks of lines and what they sweep, the
+// orientation map, and the areas of its planes, of which a few overlap.
+constexpr std::size_t kManhattanBytesPerPixel = 32;
+
 // What the kernel says can be used without swapping; no limit where it does not say.
 std::size_t AvailableMemory() {
   std::ifstream info("/proc/meminfo");
@@ -35,29 +44,55 @@ std::size_t AvailableMemory() {
   return std::numeric_limits<std::size_t>::max();
 }
 
-std::size_t VolumeMemory(const Options& options, const VolumeShape& shape, PathScheme scheme) {
+std::size_t Pixels(const VolumeShape& shape) {
+  return static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height);
+}
+
+std::size_t AggregationMemory(const Options& options, const VolumeShape& shape, PathScheme scheme) {
   const int threads = options.threads > 0
                           ? options.threads
                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  return CostMemory(options.cost, shape) + Aggregator::Memory(shape, scheme, threads);
+  return Aggregator::Memory(shape, scheme, threads);
+}
+
+// Of what a variant's prior holds besides the masks and labels of all of them.
+std::size_t PriorMemory(Variant variant, const VolumeShape& full, const VolumeShape& coarse) {
+  switch (variant) {
+    case Variant::kGs:
+      return Pixels(full) * sizeof(std::int16_t);  // rounded
+    case Variant::kGp:
+      return Pixels(coarse) * (sizeof(float) + sizeof(std::uint8_t));  // shrunk, and where known
+    case Variant::kGni:
+    case Variant::kGnv:
+      return Pixels(full) * kNormalsBytesPerPixel;
+    case Variant::kMw:
+      return Pixels(coarse) * kManhattanBytesPerPixel;
+    case Variant::kSgm:
+    case Variant::kEpi:
+    case Variant::kEpv:
+      return 0;
+  }
+  return 0;
 }
 
 }  // namespace
 
-std::size_t EstimateMemory(const Options& options, cv::Size image_size) {
+std::size_t EstimateMemory(const Options& options, cv::Size image_size, const MatchInputs& inputs) {
   const VolumeShape full{image_size.width, image_size.height, options.num_disparities,
                          options.min_disparity};
-  const std::size_t pixels =
-      static_cast<std::size_t>(image_size.width) * static_cast<std::size_t>(image_size.height);
-  return VolumeMemory(options, full, options.aggregation.scheme) +
-         VolumeMemory(options, CoarsePass::Shape(options, image_size), PathScheme::kEight) +
-         pixels * kImageBytesPerPixel;
+  const VolumeShape coarse = CoarsePass::Shape(options, image_size);
+  const std::size_t costs = inputs.costs != nullptr ? 0 : CostMemory(options.cost, full);
+  return costs + AggregationMemory(options, full, options.aggregation.scheme) +
+         CostMemory(options.cost, coarse) + AggregationMemory(options, coarse, PathScheme::kEight) +
+         PriorMemory(options.prior.variant, full, coarse) + Pixels(full) * kImageBytesPerPixel;
 }
 
-void CheckMemory(const Options& options, cv::Size image_size, std::size_t held) {
-  const std::size_t needed = EstimateMemory(options, image_size);
+void CheckMemory(const Options& options, cv::Size image_size, const MatchInputs& inputs,
+                 std::size_t held) {
+  const std::size_t needed = EstimateMemory(options, image_size, inputs);
+  if (needed <= held) return;
   const std::size_t available = AvailableMemory();
-  if (needed <= held || needed - held <= available) return;
+  if (needed - held <= available) return;
   std::ostringstream text;
   text << "matching " << image_size.width << "x" << image_size.height << " pixels with "
        << options.num_disparities << " disparities needs "

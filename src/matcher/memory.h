@@ -5,13 +5,15 @@
 
 #include <opencv2/core.hpp>
 
+#include "stereo_sgmp/match_inputs.h"
 #include "stereo_sgmp/options.h"
 
 namespace stereo_sgmp {
 
 // Throws std::runtime_error, naming both sizes and what to lower, when a Matcher that already
 // holds `held` bytes would need more than the machine has left.
-void CheckMemory(const Options& options, cv::Size image_size, std::size_t held);
+void CheckMemory(const Options& options, cv::Size image_size, const MatchInputs& inputs,
+                 std::size_t held);
 
 }  // namespace stereo_sgmp
 

@@ -11,13 +11,6 @@
 namespace stereo_sgmp {
 namespace {
 
-const char* NameOf(Variant variant) {
-  for (const auto& [value, name] : EnumNames<Variant>::kValues) {
-    if (value == variant) return name;
-  }
-  return "";
-}
-
 void CheckMap(Variant variant, const char* name, const cv::Mat& map, int type, cv::Size size) {
   if (map.type() == type && map.size() == size) return;
   std::ostringstream text;

@@ -30,13 +30,6 @@ double LastDisparity(const Options& options) {
   return options.min_disparity + options.num_disparities - 1;
 }
 
-std::string VariantName(Variant variant) {
-  for (const auto& [value, name] : EnumNames<Variant>::kValues) {
-    if (value == variant) return name;
-  }
-  return "";
-}
-
 // Columns with at least one disparity whose match lies inside the right image.
 sensor_msgs::RegionOfInterest ValidWindow(cv::Size size, const Options& options) {
   const int first = std::clamp(options.min_disparity, 0, size.width);
@@ -164,29 +157,27 @@ sensor_msgs::PointCloud2Ptr ToPointCloud2(const PointCloud& cloud, const std_msg
   return message;
 }
 
-stereo_sgmp::PriorsPtr ToPriors(const MatchResult& result, const Options& options,
-                                const StereoCamera& camera, const std_msgs::Header& header) {
+stereo_sgmp::PriorsPtr ToPriors(const PlanePriors& priors, const StereoCamera& camera,
+                                const std_msgs::Header& header) {
   auto message = boost::make_shared<stereo_sgmp::Priors>();
   message->header = header;
-  message->variant = VariantName(options.prior.variant);
-  for (const PlaneHypothesis& hypothesis : result.priors.planes) {
+  message->variant = NameOf(priors.variant);
+  for (const PlaneHypothesis& hypothesis : priors.planes) {
     message->planes.push_back(ToPlane(hypothesis, camera));
   }
   message->labels.header = header;
-  if (!result.priors.labels.empty()) {
-    cv::Mat labels =
-        Allocate(result.priors.labels.size(), CV_16SC1, enc::TYPE_16SC1, &message->labels);
-    result.priors.labels.copyTo(labels);
+  if (!priors.labels.empty()) {
+    cv::Mat labels = Allocate(priors.labels.size(), CV_16SC1, enc::TYPE_16SC1, &message->labels);
+    priors.labels.copyTo(labels);
   }
   return message;
 }
 
-stereo_sgmp::StatisticsPtr ToStatistics(const MatchResult& result, const Options& options,
-                                        const std_msgs::Header& header) {
+stereo_sgmp::StatisticsPtr ToStatistics(const MatchResult& result, const std_msgs::Header& header) {
   const MatchStatistics& statistics = result.statistics;
   auto message = boost::make_shared<stereo_sgmp::Statistics>();
   message->header = header;
-  message->variant = VariantName(options.prior.variant);
+  message->variant = NameOf(result.priors.variant);
   message->frame_ms = statistics.frame_ms;
   for (const StageTime& time : statistics.stages) {
     stereo_sgmp::Stage stage;

@@ -39,12 +39,11 @@ stereo_msgs::DisparityImagePtr ToDisparityImage(const MatchResult& result, const
 // Organised, x y z rgb confidence, of 32 bytes a point, aligned for SIMD as PCL's points are.
 sensor_msgs::PointCloud2Ptr ToPointCloud2(const PointCloud& cloud, const std_msgs::Header& header);
 
-stereo_sgmp::PriorsPtr ToPriors(const MatchResult& result, const Options& options,
-                                const StereoCamera& camera, const std_msgs::Header& header);
+stereo_sgmp::PriorsPtr ToPriors(const PlanePriors& priors, const StereoCamera& camera,
+                                const std_msgs::Header& header);
 
 // All but what only the nodelet knows: latency and the counts of frames.
-stereo_sgmp::StatisticsPtr ToStatistics(const MatchResult& result, const Options& options,
-                                        const std_msgs::Header& header);
+stereo_sgmp::StatisticsPtr ToStatistics(const MatchResult& result, const std_msgs::Header& header);
 
 sensor_msgs::ImagePtr ToImageMessage(const cv::Mat& image, const std::string& encoding,
                                      const std_msgs::Header& header);

@@ -140,7 +140,11 @@ void StereoSgmpNodelet::MatchAndPublish(const StereoFrame& frame) {
   sensor_msgs::ImageConstPtr color;
   if (outputs_.CloudWanted()) color = colors_.Find(frame.left->header.stamp);
   ApplyOptions();
-  matcher_->Match(images.left->image, images.right->image, &result_);
+  MatchInputs inputs;
+  inputs.camera = camera;
+  matcher_->Match(images.left->image, images.right->image, inputs, &result_);
+  const std::string& note = result_.priors.note;
+  if (!note.empty()) Warn(note, note);
   const MatchedFrame matched{result_, matcher_->options(), camera, frame.left->header};
   outputs_.PublishMaps(matched);
   const double latency_ms = (ros::WallTime::now() - frame.arrival).toSec() * 1e3;

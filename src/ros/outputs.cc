@@ -49,7 +49,7 @@ void Outputs::PublishMaps(const MatchedFrame& frame) {
     confidence_.publish(ToImageMessage(result.confidence, enc::TYPE_32FC1, frame.header));
   }
   if (priors_.getNumSubscribers() > 0) {
-    priors_.publish(ToPriors(result, frame.options, frame.camera, frame.header));
+    priors_.publish(ToPriors(result.priors, frame.camera, frame.header));
   }
   if (disparity_color_.getNumSubscribers() > 0) {
     const cv::Mat picture = DisparityPicture(result, frame.options);
@@ -69,8 +69,7 @@ void Outputs::PublishCloud(const MatchedFrame& frame, const cv::Mat& image) {
 void Outputs::PublishStatistics(const MatchedFrame& frame, double latency_ms,
                                 const FrameCounts& counts) {
   if (statistics_.getNumSubscribers() == 0) return;
-  const stereo_sgmp::StatisticsPtr message =
-      ToStatistics(frame.result, frame.options, frame.header);
+  const stereo_sgmp::StatisticsPtr message = ToStatistics(frame.result, frame.header);
   message->latency_ms = latency_ms;
   message->frames = counts.matched;
   message->dropped = counts.dropped;

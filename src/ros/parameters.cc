@@ -30,10 +30,17 @@ bool ParseName(const std::string& text, Enum* value) {
   return false;
 }
 
-template <class Enum>
-std::string NameOf(Enum value) {
-  for (const auto& [candidate, name] : EnumNames<Enum>::kValues) {
-    if (value == candidate) return name;
+// Why a stream, which is images and their camera, can't be matched so; "" where it can.
+template <class T>
+std::string StreamProblem(const T& value) {
+  if constexpr (std::is_same_v<T, Variant>) {
+    const bool surface = value == Variant::kGs || value == Variant::kGp;
+    const bool normals = value == Variant::kGni || value == Variant::kGnv;
+    if (surface || normals) {
+      return std::string("prior/variant ") + NameOf(value) + " needs " +
+             (surface ? "a given surface" : "given normals") +
+             ", which a stream does not have; use sgm, epi, epv or mw";
+    }
   }
   return "";
 }
@@ -81,6 +88,7 @@ std::string Expectation(const OptionField& field, const T&) {
     text << "one of";
     const char* separator = " ";
     for (const auto& [value, name] : EnumNames<T>::kValues) {
+      if (!StreamProblem(value).empty()) continue;
       text << separator << name;
       separator = ", ";
     }
@@ -117,6 +125,10 @@ class ParameterReader {
          << Expectation(field, value);
     if (!Parse(parameter, &wanted)) {
       report_(text.str() + "; it is ignored");
+      return;
+    }
+    if (const std::string problem = StreamProblem(wanted); !problem.empty()) {
+      report_("parameter " + nh_.resolveName(name) + ": " + problem + "; it is ignored");
       return;
     }
     value = wanted;
@@ -189,9 +201,12 @@ struct ConfigReader {
     if constexpr (std::is_enum_v<T>) {
       std::string text;
       dynamic_reconfigure::ConfigTools::getParameter(message, name, text);
-      if (ParseName(text, &value)) return;
-      throw std::invalid_argument(name + " is '" + text + "'; expected " +
-                                  Expectation(field, value));
+      if (!ParseName(text, &value)) {
+        throw std::invalid_argument(name + " is '" + text + "'; expected " +
+                                    Expectation(field, value));
+      }
+      const std::string problem = StreamProblem(value);
+      if (!problem.empty()) throw std::invalid_argument(problem);
     } else {
       dynamic_reconfigure::ConfigTools::getParameter(message, name, value);
     }
@@ -252,7 +267,7 @@ StereoSgmpConfig ToConfig(const Options& options) {
   config.__toMessage__(message);
   VisitOptions(options, [&message](const OptionField& field, const auto& value) {
     if constexpr (std::is_enum_v<std::decay_t<decltype(value)>>) {
-      SetValue(ConfigName(field.name), NameOf(value), &message);
+      SetValue(ConfigName(field.name), std::string(NameOf(value)), &message);
     } else {
       SetValue(ConfigName(field.name), value, &message);
     }

@@ -21,8 +21,9 @@ StereoSynchronizer::Settings ReadSynchronizerSettings(
 // The options that the parameters ask for. Later ones win: the preset (`preset`), options named
 // as in dynamic_reconfigure (`prior_variant`), stereo_image_proc's names where they mean the
 // same, and options named as in YAML files (`prior/variant`): dynamic_reconfigure leaves its
-// values on the parameter server, where they outlive the nodelet. A value of the wrong type
-// keeps what was there, one out of range is clamped, and both are reported. Does not throw.
+// values on the parameter server, where they outlive the nodelet. A value of the wrong type, or a
+// variant that needs more than images and their camera, keeps what was there, one out of range is
+// clamped, and all are reported. Does not throw.
 Options ReadOptions(const ros::NodeHandle& private_nh,
                     const std::function<void(const std::string&)>& report);
 
@@ -32,7 +33,7 @@ std::string ConfigName(const std::string& field_name);
 StereoSgmpConfig ToConfig(const Options& options);
 
 // Throws std::invalid_argument naming option, value and expectation when the options are no
-// valid ones.
+// valid ones, or need more than images and their camera.
 Options FromConfig(const StereoSgmpConfig& config);
 
 }  // namespace stereo_sgmp

@@ -1,4 +1,5 @@
 // Matches one rectified stereo pair.
+#include <iostream>
 #include <limits>
 #include <optional>
 #include <string>
@@ -118,7 +119,9 @@ void WriteOutputs(const Arguments& a, const LoadedPair& pair, const Options& opt
     SaveImage(a.prior_image, PriorPicture(result.priors, pair.left.size()));
   }
   if (!a.cloud.empty()) WriteCloud(a.cloud, pair, result);
-  if (!a.stats.empty()) WriteFile(a.stats, StatisticsJson(frames, options, pair.left.size()));
+  if (!a.stats.empty()) {
+    WriteFile(a.stats, StatisticsJson(frames, result.priors, options, pair.left.size()));
+  }
 }
 
 void Run(const Arguments& a) {
@@ -133,6 +136,8 @@ void Run(const Arguments& a) {
     matcher.Match(pair.left, pair.right, loaded.inputs, &result);
     frames.push_back(result.statistics);
   }
+  const std::string& note = result.priors.note;
+  if (!note.empty()) std::cerr << "match: " << note << '\n';
   WriteOutputs(a, pair, options, result, frames);
 }
 

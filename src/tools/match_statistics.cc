@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "io/json_writer.h"
+#include "stereo_sgmp/option_fields.h"
 
 namespace stereo_sgmp {
 namespace {
@@ -69,8 +70,8 @@ void WriteAlignment(const AlignmentReport& alignment, JsonWriter* json) {
 
 }  // namespace
 
-std::string StatisticsJson(const std::vector<MatchStatistics>& frames, const Options& options,
-                           cv::Size image_size) {
+std::string StatisticsJson(const std::vector<MatchStatistics>& frames, const PlanePriors& priors,
+                           const Options& options, cv::Size image_size) {
   const MatchStatistics& last = frames.back();
   JsonWriter json;
   json.Value("width", image_size.width);
@@ -79,6 +80,8 @@ std::string StatisticsJson(const std::vector<MatchStatistics>& frames, const Opt
   json.Value("num_disparities", options.num_disparities);
   WriteTimes(frames, &json);
   json.Value("peak_rss_mb", PeakMegabytes());
+  json.Value("variant", NameOf(priors.variant));
+  json.Value("variant_note", priors.note);
   json.Value("planes", last.planes);
   json.Value("density", last.density);
   json.BeginObject("reasons");

@@ -12,9 +12,10 @@
 namespace stereo_sgmp {
 
 // Times and counts of one pair matched once or several times, as JSON: frame_ms and stages_ms are
-// medians, of all frames but the first where there are several; the counts are the last frame's.
-std::string StatisticsJson(const std::vector<MatchStatistics>& frames, const Options& options,
-                           cv::Size image_size);
+// medians, of all frames but the first where there are several; the counts are the last frame's,
+// and so is `priors`.
+std::string StatisticsJson(const std::vector<MatchStatistics>& frames, const PlanePriors& priors,
+                           const Options& options, cv::Size image_size);
 
 }  // namespace stereo_sgmp
 

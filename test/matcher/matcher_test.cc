@@ -194,6 +194,26 @@ TEST(MatcherTest, AVolumeThatDoesNotFitIsRefusedBeforeWorkStarts) {
   EXPECT_THAT(ErrorOf(options, image, image), HasSubstr("lower num_disparities"));
 }
 
+TEST(MatcherTest, TheMemoryIsThatOfTheVariantAndOfOwnCosts) {
+  const cv::Size size(400, 300);
+  const std::size_t pixels = 400 * 300;
+  Options options;
+  options.cost.kind = CostKind::kNcc;
+  options.prior.variant = Variant::kSgm;
+  const std::size_t plain = EstimateMemory(options, size);
+  const CostVolume costs;
+  MatchInputs inputs;
+  inputs.costs = &costs;
+  EXPECT_LE(EstimateMemory(options, size, inputs) + pixels * 128, plain);
+  options.prior.variant = Variant::kMw;
+  EXPECT_GT(EstimateMemory(options, size), plain);
+  options.prior.variant = Variant::kGs;
+  EXPECT_EQ(EstimateMemory(options, size), plain + pixels * 2);
+  options.prior.variant = Variant::kGnv;
+  // A float and a number per pixel, three times.
+  EXPECT_EQ(EstimateMemory(options, size), plain + pixels * 24);
+}
+
 TEST(MatcherTest, AnErrorLeavesTheMatcherUsable) {
   const GeneratedScene scene = SmallRoom();
   const Options options = SmallOptions();

@@ -73,6 +73,16 @@ TEST(Config, HasTheRangesOfTheOptions) {
   });
 }
 
+// Whether a stream, which is images and their camera, has what it takes.
+template <class T>
+bool IsForStreams(const T& choice) {
+  if constexpr (std::is_same_v<T, Variant>) {
+    return choice == Variant::kSgm || choice == Variant::kEpi || choice == Variant::kEpv ||
+           choice == Variant::kMw;
+  }
+  return true;
+}
+
 TEST(Config, OffersTheNamesOfTheChoices) {
   const auto descriptions = Descriptions();
   VisitOptions(kDefaults, [&](const OptionField& field, const auto& value) {
@@ -80,7 +90,9 @@ TEST(Config, OffersTheNamesOfTheChoices) {
     if constexpr (std::is_enum_v<T>) {
       const std::string& offered = descriptions.at(ConfigName(field.name))->edit_method;
       for (const auto& [choice, name] : EnumNames<T>::kValues) {
-        EXPECT_THAT(offered, testing::HasSubstr("'value': '" + std::string(name) + "'"));
+        const bool is_offered =
+            offered.find("'value': '" + std::string(name) + "'") != offered.npos;
+        EXPECT_EQ(is_offered, IsForStreams(choice)) << field.name << ' ' << name;
       }
     }
   });
@@ -110,16 +122,31 @@ TEST(Config, KeepsEveryOption) {
   }
 }
 
-TEST(Config, RefusesUnknownChoices) {
+std::string RefusalOf(const std::string& variant) {
   StereoSgmpConfig config = ToConfig(Options());
-  config.prior_variant = "best";
+  config.prior_variant = variant;
   try {
     FromConfig(config);
-    FAIL() << "accepted";
+    return "accepted";
   } catch (const std::invalid_argument& error) {
-    EXPECT_THAT(error.what(),
-                testing::HasSubstr("prior_variant is 'best'; expected one of sgm, epi, epv"));
+    return error.what();
   }
+}
+
+TEST(Config, RefusesUnknownChoices) {
+  EXPECT_EQ(RefusalOf("best"), "prior_variant is 'best'; expected one of sgm, epi, epv, mw");
+}
+
+TEST(Config, RefusesVariantsThatNeedMoreThanAStream) {
+  for (const char* variant : {"gs", "gp"}) {
+    EXPECT_EQ(RefusalOf(variant), "prior/variant " + std::string(variant) +
+                                      " needs a given surface, which a stream does not have; use "
+                                      "sgm, epi, epv or mw");
+  }
+  for (const char* variant : {"gni", "gnv"}) {
+    EXPECT_THAT(RefusalOf(variant), testing::HasSubstr("needs given normals, which a stream"));
+  }
+  for (const char* variant : {"sgm", "epi", "epv", "mw"}) EXPECT_EQ(RefusalOf(variant), "accepted");
 }
 
 }  // namespace

@@ -147,9 +147,8 @@ TEST(Priors, AreGivenInDisparityAndInSpace) {
   // Disparity 10 everywhere, 13 adjusted: a plane parallel to the image.
   result.priors.planes = {{{0.0, 0.0, 10.0}, 42, 0.5}};
   result.priors.labels = (cv::Mat_<std::int16_t>(1, 2) << 0, -1);
-  Options options = MakeOptions();
-  options.prior.variant = Variant::kEpi;
-  const auto message = ToPriors(result, options, MakeCamera(), MakeHeader());
+  result.priors.variant = Variant::kEpi;
+  const auto message = ToPriors(result.priors, MakeCamera(), MakeHeader());
   EXPECT_EQ(message->variant, "epi");
   ASSERT_EQ(message->planes.size(), 1u);
   const stereo_sgmp::Plane& plane = message->planes[0];
@@ -166,9 +165,7 @@ TEST(Priors, AreGivenInDisparityAndInSpace) {
 }
 
 TEST(Priors, AreEmptyWithoutPrior) {
-  Options options = MakeOptions();
-  options.prior.variant = Variant::kSgm;
-  const auto message = ToPriors(MakeResult(), options, MakeCamera(), MakeHeader());
+  const auto message = ToPriors(PlanePriors(), MakeCamera(), MakeHeader());
   EXPECT_EQ(message->variant, "sgm");
   EXPECT_TRUE(message->planes.empty());
   EXPECT_TRUE(message->labels.data.empty());
@@ -180,7 +177,9 @@ TEST(Statistics, CarryTheCounts) {
   result.statistics.stages = {{"cost", 5.0}, {"aggregation", 7.5}};
   result.statistics.reasons[2] = 1;
   result.statistics.alignment.offset = 0.5;
-  const auto message = ToStatistics(result, MakeOptions(), MakeHeader());
+  result.priors.variant = Variant::kMw;
+  const auto message = ToStatistics(result, MakeHeader());
+  EXPECT_EQ(message->variant, "mw");
   EXPECT_EQ(message->frame_ms, 12.5);
   ASSERT_EQ(message->stages.size(), 2u);
   EXPECT_EQ(message->stages[1].name, "aggregation");

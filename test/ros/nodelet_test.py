@@ -1,8 +1,10 @@
 #!/usr/bin/python3
 """The nodelet with images made in code: values, fields, laziness, bad input, reconfigure."""
+import re
 import sys
 import unittest
 
+import cv2
 import numpy as np
 import rospy
 import rostest
@@ -16,6 +18,7 @@ import stereo_rig as rig
 KINDS = {"disparity": DisparityImage, "points2": PointCloud2, "confidence": Image,
          "priors": Priors, "statistics": Statistics, "disparity_color": Image,
          "priors_color": Image}
+OPENCV = tuple(int(number) for number in re.findall(r"\d+", cv2.__version__)[:3])
 
 
 class NodeletTest(unittest.TestCase):
@@ -327,7 +330,24 @@ class NodeletTest(unittest.TestCase):
         client, before = self.reconfigurer()
         after = client.update_configuration({"prior_variant": "best"})
         self.assertEqual(after["prior_variant"], before["prior_variant"])
-        self.log.wait_for("prior_variant is 'best'; expected one of sgm, epi, epv")
+        self.log.wait_for("prior_variant is 'best'; expected one of sgm, epi, epv, mw")
+
+    def test_reconfigure_refuses_variants_that_need_more_than_a_stream(self):
+        client, before = self.reconfigurer()
+        after = client.update_configuration({"prior_variant": "gnv"})
+        self.assertEqual(after["prior_variant"], before["prior_variant"])
+        self.log.wait_for("prior/variant gnv needs given normals, which a stream does not have")
+
+    @unittest.skipIf(OPENCV < (4, 5, 1), "this OpenCV has no line detector")
+    def test_manhattan_world(self):
+        self.listen("priors", "statistics")
+        client, _ = self.reconfigurer()
+        client.update_configuration({"prior_variant": "mw"})
+        messages = self.match(self.camera.next_frame())
+        # The rig's picture is texture without lines.
+        self.assertEqual(messages["priors"].variant, "epv")
+        self.assertEqual(messages["statistics"].variant, "epv")
+        self.log.wait_for("show no three orthogonal directions; the prior is that of epv")
 
     def test_reconfigure_extremes(self):
         self.listen("disparity")

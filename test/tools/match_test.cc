@@ -12,6 +12,7 @@
 #include "io/image.h"
 #include "io/pfm.h"
 #include "io/temporary_folder.h"
+#include "prior/manhattan/line_detector.h"
 #include "scene/generated_scene.h"
 #include "tools/run_tool.h"
 
@@ -80,8 +81,9 @@ TEST_F(Match, WritesEverythingAskedFor) {
   EXPECT_GE(min, 0);
   EXPECT_LE(max, 1);
   const std::string json = ReadFile(Path("s.json"));
-  for (const char* key : {"frame_ms", "first_frame_ms", "stages_ms", "peak_rss_mb", "planes",
-                          "density", "reasons", "left_right", "alignment"}) {
+  for (const char* key :
+       {"frame_ms", "first_frame_ms", "stages_ms", "peak_rss_mb", "variant", "variant_note",
+        "planes", "density", "reasons", "left_right", "alignment"}) {
     EXPECT_NE(json.find("\"" + std::string(key) + "\": "), std::string::npos) << json;
   }
 }
@@ -94,7 +96,7 @@ TEST_F(Match, FindsTheDisparities) {
   EXPECT_EQ(cv::countNonZero(valid) + cv::countNonZero(filtered == INFINITY), kSize.area())
       << "invalid pixels are inf";
   const cv::Mat evaluated = EvaluatedPixels(scene_.disparity, scene_.mask);
-  EXPECT_LT(BadPercent(filtered, scene_.disparity, evaluated & valid, 1.0), 5);
+  EXPECT_LT(BadPercent(filtered, scene_.disparity, evaluated & valid, {1.0}), 5);
   for (const char* kind : {" --dense", " --raw"}) {
     ASSERT_EQ(Run(Pair() + Output() + " --num-disparities 32" + kind).exit_code, 0);
     EXPECT_EQ(cv::countNonZero(ReadPfm(Path("d.pfm")) <= kDisparities), kSize.area()) << kind;
@@ -122,6 +124,25 @@ TEST_F(Match, TakesEveryVariantAndCost) {
     const ToolRun run = Run(Pair() + Output() + " --num-disparities 32 " + flags);
     EXPECT_EQ(run.exit_code, 0) << flags << run.err;
   }
+}
+
+TEST_F(Match, SaysWhichPriorWasUsed) {
+  const std::string run = Pair() + Output() + " --calib " + Path("scene/calib.txt") +
+                          " --num-disparities 32 --stats " + Path("s.json");
+  const auto expect_variant = [&](const char* variant) {
+    const std::string json = ReadFile(Path("s.json"));
+    EXPECT_NE(json.find("\"variant\": \"" + std::string(variant) + "\""), std::string::npos)
+        << json;
+  };
+  EXPECT_EQ(Run(run + " --variant epi").err, "");
+  expect_variant("epi");
+  if (!kHasLineDetector) GTEST_SKIP();
+  const ToolRun without_lines = Run(run + " --variant mw");
+  EXPECT_EQ(without_lines.exit_code, 0) << without_lines.err;
+  EXPECT_EQ(without_lines.err,
+            "match: the lines of the image show no three orthogonal directions; the prior is that "
+            "of epv\n");
+  expect_variant("epv");
 }
 
 TEST_F(Match, ExplainsItself) {

@@ -10,13 +10,6 @@
 namespace stereo_sgmp {
 namespace {
 
-std::string NameOf(Variant variant) {
-  for (const auto& [value, name] : EnumNames<Variant>::kValues) {
-    if (value == variant) return name;
-  }
-  return {};
-}
-
 // The ground truth, infinite wherever the scores take it as not known.
 cv::Mat KnownDisparity(const StereoScene& scene) {
   cv::Mat known = scene.disparity.clone();
