@@ -128,13 +128,14 @@ TEST(SteeringPlanes, FlatPlanesGiveNoJumps) {
 }
 
 TEST(SteeringPlanes, AFlatPlaneIsItselfInTheMiddleOfTheImage) {
-  // It meets the slanted plane half way: what lies above the middle between them follows that.
+  // Its value shows in where the cell of the slanted plane begins.
   const std::vector<DisparityPlane> planes = {{0.02, 0.0, 10.0}, {0.2, 0.0, 14.0}};
   SteeringPlanes steering;
   steering.Assign(OptionsOf(0.0, 0.04), planes, OneSet(2), Shape());
   JumpRow row;
   steering.attracting()->Jumps(3, 0, kWidth, kRight, &row);
-  // At x = 2 the slanted plane steps from 14 to 15; the flat one is 10 + 0.02 * 80 = 11.6.
+  // From x = 2 to 3 the slanted plane steps from 14 to 15; the flat one is 10 + 0.02 * 80 = 11.6,
+  // so that 14 is the first disparity nearer to the slanted one.
   ASSERT_EQ(row.jump[3], JumpRow::kVaries);
   EXPECT_EQ(JumpAt(row, 3, 13 - kMinDisparity), 0);
   EXPECT_EQ(JumpAt(row, 3, 14 - kMinDisparity), 1);
@@ -172,7 +173,7 @@ TEST_P(SteeringTo, AttractionTakesPathsOneDisparityNearerForEachThatThePlaneChan
     SCOPED_TRACE(offset);
     const std::vector<int> heights = HeightsAlongRow(*steering.attracting(), plane, offset);
     for (std::size_t x = 0; x < heights.size(); ++x) {
-      const double steps = std::min(static_cast<double>(x) / period, std::abs(offset) - 0.0);
+      const double steps = std::min(static_cast<double>(x) / period, std::abs(1.0 * offset));
       ASSERT_NEAR(std::abs(heights[x]), std::abs(offset) - steps, 1.0) << x;
     }
     EXPECT_EQ(HeightsAlongRow(*steering.parallel(), plane, offset),
