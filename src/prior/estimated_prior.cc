@@ -59,7 +59,8 @@ const PlaneSets& EstimatedPrior::SpreadOverSuperpixels(const PriorOptions& optio
   if (options.spread) {
     SpreadLabels(coarse_left);
     modal_.Assign(spread_, superpixels_, 0.0);
-    modal_.labels().copyTo(report_.labels, report_.labels < 0);
+    cv::compare(report_.labels, 0, unlabelled_, cv::CMP_LT);
+    modal_.labels().copyTo(report_.labels, unlabelled_);
   }
   SetsOfLabels(report_.labels, full_planes_.size(), &modal_sets_);
   return modal_sets_;

@@ -53,6 +53,7 @@ class EstimatedPrior {
   PlaneHypotheses hypotheses_;
   Superpixels superpixels_;
   ModalPlanes modal_;
+  cv::Mat unlabelled_;
   PlaneSets modal_sets_;
   ConvexHulls hulls_;
   std::vector<DisparityPlane> coarse_planes_;

@@ -16,7 +16,8 @@ namespace stereo_sgmp {
 class LabelSpreader {
  public:
   // `image`: CV_8U, 1, 3 or 4 channels (of 4 the last is not used). `labels`: CV_16S of its size,
-  // -1 for none. Of paths that cost the same the one from the earlier pixel, row by row, counts.
+  // -1 for none. Of paths that cost the same the one that is found first counts: on uniform colour
+  // that from the earlier pixel, row by row.
   // Throws std::invalid_argument where types or sizes don't fit.
   void Spread(const cv::Mat& image, cv::Mat* labels);
 

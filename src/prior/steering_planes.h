@@ -19,8 +19,9 @@ namespace stereo_sgmp {
 // plane stays beside it. Copies of the plane a fraction of a disparity above and below round to
 // other steps. A path next to the plane follows a copy until that rounds to the plane's own
 // disparity, and goes on with the plane. The prior of orientation so becomes a weak one of
-// position too, within a disparity. The plane itself comes before its copies in each set: it has
-// the cell where they round to one disparity.
+// position too: each time the plane changes by a disparity, the paths that have it as their nearest
+// come nearer by one, from whatever distance. The plane itself comes before its copies in each
+// set: it has the cell where they round to one disparity.
 //
 // Flat planes. SGM is at home where disparities don't change. A plane with hardly any slope
 // becomes constant: its few steps, placed by an uncertain slope, would do more harm than good.

@@ -12,10 +12,12 @@ Options WithFactor(int factor) {
   return options;
 }
 
-TEST(CoarsePassTest, AutomaticFactorKeepsTheCoarseImagesOfThePaper) {
+TEST(CoarsePassTest, AutomaticFactorIsThatOfThePaperForLargeImages) {
   const Options automatic = WithFactor(0);
-  EXPECT_EQ(CoarsePass::Shape(automatic, {2880, 1988}).width, 720);  // a quarter, as in the paper
-  EXPECT_EQ(CoarsePass::Shape(automatic, {1440, 994}).width, 720);
+  EXPECT_EQ(CoarsePass::Shape(automatic, {6000, 4000}).width, 1500);  // never less than a quarter
+  EXPECT_EQ(CoarsePass::Shape(automatic, {2880, 1988}).width, 720);
+  EXPECT_EQ(CoarsePass::Shape(automatic, {1440, 994}).width, 360);
+  EXPECT_EQ(CoarsePass::Shape(automatic, {1200, 900}).width, 400);  // 0.12 megapixels
   EXPECT_EQ(CoarsePass::Shape(automatic, {640, 480}).width, 320);
   EXPECT_EQ(CoarsePass::Shape(automatic, {1, 1}).width, 1);
 }

@@ -94,7 +94,11 @@ TEST(OptionsTest, PaperPresetHoldsThePapersParameters) {
   EXPECT_EQ(paper.aggregation.alpha, 8.0);
   EXPECT_EQ(paper.aggregation.beta, 10.0);
   EXPECT_EQ(paper.aggregation.scheme, PathScheme::kEight);
+  EXPECT_EQ(paper.prior.variant, Variant::kEpi);
   EXPECT_EQ(paper.prior.coarse_factor, 0);
+  EXPECT_EQ(paper.prior.attraction, 0.0);
+  EXPECT_EQ(paper.prior.min_slope, 0.0);
+  EXPECT_FALSE(paper.prior.spread);
   EXPECT_EQ(paper.refinement.subpixel, Subpixel::kEquiangular);
   EXPECT_EQ(paper.filter.confidence, ConfidenceMeasure::kUncertainty);
 }
@@ -136,7 +140,7 @@ TEST(OptionsYamlTest, MistakesAreNamedAndChangeNothing) {
       {"prior: {varaint: epi}", "prior/varaint"},
       {"num_disparities: many", "whole number"},
       {"num_disparities: 0", "num_disparities"},
-      {"prior: {variant: gnv}", "sgm, epi, epv"},
+      {"prior: {variant: gn}", "sgm, epi, epv, gs, gp, gni, gnv, mw"},
       {"aggregation: {color_guide: maybe}", "true or false"},
       {"num_disparities: [1, 2]", "not a single value"},
       {"preset: turbo", "turbo"},

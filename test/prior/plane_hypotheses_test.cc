@@ -121,6 +121,42 @@ TEST(PlaneHypotheses, LabelsAreNearTheirPlaneAndSortedByArea) {
   }
 }
 
+// Disparities spread evenly over 12 +- `range`.
+cv::Mat EvenNoise(float range) {
+  cv::Mat disparity(60, 80, CV_32FC1);
+  cv::RNG random(3);
+  random.fill(disparity, cv::RNG::UNIFORM, 12.0F - range, 12.0F + range);
+  return disparity;
+}
+
+TEST(PlaneHypotheses, NoiseThatFillsTheRangeOfAPlaneIsNone) {
+  const cv::Mat narrow = EvenNoise(0.4F);  // a root mean square of 0.23
+  const PlaneMap map = Find(narrow, AllOf(narrow));
+  ASSERT_EQ(map.planes.size(), 1U);
+  EXPECT_EQ(map.planes[0].area, 60 * 80);
+  for (const float range : {0.6F, 3.0F}) {
+    const cv::Mat wide = EvenNoise(range);
+    EXPECT_TRUE(Find(wide, AllOf(wide)).planes.empty()) << range;
+  }
+}
+
+TEST(PlaneHypotheses, ThePixelsOfARegionThatIsNoPlaneStayFree) {
+  // Noise beside a plane, which grows in part into it: that plane is found all the same.
+  cv::Mat disparity = EvenNoise(1.0F);
+  disparity.colRange(0, 40).setTo(12.0);
+  const PlaneMap map = Find(disparity, AllOf(disparity));
+  ASSERT_GE(map.planes.size(), 1U);
+  ExpectPlaneAt(map, 15, 30, {0.0, 0.0, 12.0});
+}
+
+TEST(PlaneHypotheses, SmallImagesHaveSmallerPlanes) {
+  PriorOptions options;
+  options.min_plane_area = 800;
+  EXPECT_EQ(SmallestPlane(options, {400, 300}), 800);
+  EXPECT_EQ(SmallestPlane(options, {100, 75}), 150);
+  EXPECT_EQ(SmallestPlane(options, {6, 5}), 1);
+}
+
 TEST(PlaneHypotheses, SameForAnyThreadsAndBufferState) {
   cv::Mat disparity = Render(133, 71, [](int x, int y) { return 30 + 0.2 * x - 0.001 * y * y; });
   AddNoise(0.2, 0.2, &disparity);

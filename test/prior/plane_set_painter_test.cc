@@ -35,6 +35,30 @@ TEST(PlaneSetPainter, PixelsThatAreFullStay) {
   EXPECT_EQ(planes.back(), PlaneSet::kMaxFound - 1);
 }
 
+TEST(PlaneSetPainter, FillEmptyGivesOnePlaneToPixelsWithoutAny) {
+  PlaneSetPainter painter;
+  painter.Start({5, 1});
+  painter.Paint(7, cv::Mat(1, 2, CV_8UC1, cv::Scalar(255)), {0, 0});
+  painter.FillEmpty((cv::Mat_<std::int16_t>(1, 5) << 3, -1, 3, -1, 3));
+  const PlaneSets& sets = painter.sets();
+  EXPECT_EQ(PlanesAt(sets, {0, 0}), std::vector<int>({7})) << "not empty";
+  EXPECT_EQ(PlanesAt(sets, {1, 0}), std::vector<int>({7}));
+  EXPECT_EQ(PlanesAt(sets, {2, 0}), std::vector<int>({3}));
+  EXPECT_EQ(PlanesAt(sets, {3, 0}), std::vector<int>()) << "no label";
+  EXPECT_EQ(PlanesAt(sets, {4, 0}), std::vector<int>({3}));
+  EXPECT_EQ(sets.sets.size(), 3U) << "none, 7 and 3";
+}
+
+TEST(PlaneSetPainter, FillEmptyMayFollowAnotherImage) {
+  PlaneSetPainter painter;
+  for (const int label : {4, 0}) {
+    painter.Start({2, 1});
+    painter.FillEmpty(cv::Mat(1, 2, CV_16SC1, cv::Scalar(label)));
+    EXPECT_EQ(PlanesAt(painter.sets(), {1, 0}), std::vector<int>({label}));
+    EXPECT_EQ(painter.sets().sets.size(), 2U);
+  }
+}
+
 TEST(PlaneSetPainter, StartForgetsTheLastImage) {
   PlaneSetPainter painter;
   painter.Start({2, 2});

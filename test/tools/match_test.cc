@@ -156,13 +156,22 @@ TEST_F(Match, RefusesWrongCommandLines) {
   ExpectRefused("", "left is required");
   ExpectRefused(Pair(), "--disparity");
   ExpectRefused(Pair() + Output() + " --no-such-flag", "--no-such-flag");
-  ExpectRefused(Pair() + Output() + " --variant gnv", "gnv");
+  ExpectRefused(Pair() + Output() + " --variant gn", "sgm, epi, epv, gs, gp, gni, gnv, mw");
   ExpectRefused(Pair() + Output() + " --cost price", "price");
   ExpectRefused(Pair() + Output() + " --preset best", "best");
   ExpectRefused(Pair() + Output() + " --repeat 0", "--repeat");
   ExpectRefused(Pair() + Output() + " --dense --raw", "--raw");
   ExpectRefused(Pair() + Output() + " --cloud " + Path("c.ply"), "--calib");
   ExpectRefused(Pair() + Output() + " --options " + Path("none.yaml"), "none.yaml");
+}
+
+TEST_F(Match, NamesWhatAVariantNeeds) {
+  const std::string flags = Pair() + Output() + " --num-disparities 32 --variant ";
+  ExpectRefused(flags + "gs", "variant gs needs a disparity surface");
+  ExpectRefused(flags + "gp", "variant gp needs a disparity surface");
+  ExpectRefused(flags + "gni", "variant gni needs a normal map");
+  ExpectRefused(flags + "gnv", "variant gnv needs a normal map");
+  ExpectRefused(flags + "mw", "variant mw needs the camera");
 }
 
 TEST_F(Match, RefusesWrongRanges) {
