@@ -94,7 +94,7 @@ TEST_F(Match, FindsTheDisparities) {
   EXPECT_EQ(cv::countNonZero(valid) + cv::countNonZero(filtered == INFINITY), kSize.area())
       << "invalid pixels are inf";
   const cv::Mat evaluated = EvaluatedPixels(scene_.disparity, scene_.mask);
-  EXPECT_LT(BadPercent(filtered, scene_.disparity, evaluated & valid, 1.0), 5);
+  EXPECT_LT(BadPercent(filtered, scene_.disparity, evaluated & valid, {1.0}), 5);
   for (const char* kind : {" --dense", " --raw"}) {
     ASSERT_EQ(Run(Pair() + Output() + " --num-disparities 32" + kind).exit_code, 0);
     EXPECT_EQ(cv::countNonZero(ReadPfm(Path("d.pfm")) <= kDisparities), kSize.area()) << kind;
