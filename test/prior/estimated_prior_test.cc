@@ -1,5 +1,6 @@
 #include "prior/estimated_prior.h"
 
+#include <cstddef>
 #include <cstdint>
 
 #include <gtest/gtest.h>
@@ -51,8 +52,10 @@ class EstimatedPriorOf : public testing::TestWithParam<Variant> {};
 TEST_P(EstimatedPriorOf, FollowsThePlanesOfTheScene) {
   const Inputs inputs;
   EstimatedPrior estimated;
-  const OrientationPrior* prior = estimated.Estimate(OptionsOf(GetParam()), inputs.Coarse(),
-                                                     inputs.image, FullShape(), nullptr);
+  ASSERT_NE(estimated.Estimate(OptionsOf(GetParam()), inputs.Coarse(), inputs.image, FullShape(),
+                               nullptr),
+            nullptr);
+  const OrientationPrior* prior = estimated.parallel();
   ASSERT_NE(prior, nullptr);
   JumpRow row;
   prior->Jumps(30, 0, 361, {1, 0}, &row);
@@ -100,6 +103,11 @@ TEST_P(EstimatedPriorOf, SameForAnyThreads) {
     a->Jumps(y, 0, 361, {1, 1}, &row_a);
     b->Jumps(y, 0, 361, {1, 1}, &row_b);
     EXPECT_EQ(row_a.jump, row_b.jump);
+    ASSERT_EQ(row_a.segments.size(), row_b.segments.size());
+    for (std::size_t i = 0; i < row_a.segments.size(); ++i) {
+      EXPECT_EQ(row_a.segments[i].end, row_b.segments[i].end);
+      EXPECT_EQ(row_a.segments[i].jump, row_b.segments[i].jump);
+    }
   }
 }
 

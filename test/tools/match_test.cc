@@ -156,7 +156,7 @@ TEST_F(Match, RefusesWrongCommandLines) {
   ExpectRefused("", "left is required");
   ExpectRefused(Pair(), "--disparity");
   ExpectRefused(Pair() + Output() + " --no-such-flag", "--no-such-flag");
-  ExpectRefused(Pair() + Output() + " --variant gn", "sgm, epi, epv, gs, gp, gni, gnv, mw");
+  ExpectRefused(Pair() + Output() + " --variant gn", "sgm,epi,epv,gs,gp,gni,gnv,mw");
   ExpectRefused(Pair() + Output() + " --cost price", "price");
   ExpectRefused(Pair() + Output() + " --preset best", "best");
   ExpectRefused(Pair() + Output() + " --repeat 0", "--repeat");
