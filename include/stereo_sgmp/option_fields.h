@@ -152,8 +152,8 @@ void VisitOptions(OptionsT& o, Visitor&& visit) {
                     -1, 1000},
         o.prior.jump_slack);
   visit(OptionField{"prior/attraction", "px",
-                    "Copies of each plane this far above and below it draw paths within a "
-                    "disparity onto the plane; 0 leaves it a prior of orientation alone.",
+                    "Copies of each plane this far above and below it let paths that follow it "
+                    "come nearer at no cost; 0 leaves it a prior of orientation alone.",
                     0, 0.5},
         o.prior.attraction);
   visit(OptionField{"prior/min_slope", "px/px",
