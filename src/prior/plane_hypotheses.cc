@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "prior/plane_sets.h"
+
 namespace stereo_sgmp {
 namespace {
 
@@ -39,7 +41,6 @@ constexpr double kHuberThreshold = 0.5;
 constexpr int kHuberIterations = 2;
 
 constexpr int kPadding = std::max(kSeedRadius + 1, kGap);
-constexpr int kMaxPlanes = std::numeric_limits<std::int16_t>::max();
 
 void CheckInputs(const CoarseDisparity& coarse) {
   if (coarse.disparity.type() != CV_32FC1 || coarse.confident.type() != CV_8UC1) {
@@ -94,7 +95,7 @@ void PlaneHypotheses::Find(const CoarseDisparity& coarse, int min_area, ThreadPo
   Load(coarse);
   FindSeeds(threads);
   for (const Seed& seed : seeds_) {
-    if (map_.planes.size() >= kMaxPlanes) break;
+    if (map_.planes.size() >= PlaneSet::kMaxListed) break;
     if (reached_[static_cast<std::size_t>(Index(seed.x, seed.y))] != 0) continue;
     Grow(seed);
     if (!Keep(min_area)) Release(pixels_.begin());

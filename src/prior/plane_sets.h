@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -19,6 +20,8 @@ struct PlaneSet {
   static constexpr int kMaxFound = 8;
   static constexpr int kPhases = 3;
   static constexpr int kMaxPlanes = kMaxFound * kPhases;
+  // Planes of a whole image: 16 bits name them and their copies.
+  static constexpr int kMaxListed = std::numeric_limits<std::int16_t>::max() / kPhases;
 
   std::uint8_t count = 0;
   std::array<std::int16_t, kMaxPlanes> planes{};

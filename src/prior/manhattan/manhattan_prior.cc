@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <stdexcept>
 
 #include "prior/coarse_scale.h"
@@ -11,13 +10,6 @@
 #include "prior/nearest_planes.h"
 
 namespace stereo_sgmp {
-namespace {
-
-// Planes that a label can name.
-constexpr std::size_t kMaxPlanes = std::numeric_limits<std::int16_t>::max();
-
-}  // namespace
-
 const OrientationPrior* ManhattanPrior::Estimate(const PriorOptions& options,
                                                  const CoarseDisparity& coarse, const cv::Mat& left,
                                                  const cv::Mat& coarse_left,
@@ -52,7 +44,7 @@ void ManhattanPrior::Spread(const std::vector<ManhattanPlane>& planes, const Coa
   full_planes_.clear();
   painter_.Start(disparity.size());
   for (const ManhattanPlane& plane : planes) {
-    if (full_planes_.size() == kMaxPlanes) break;
+    if (full_planes_.size() == PlaneSet::kMaxListed) break;
     painter_.Paint(static_cast<std::int16_t>(full_planes_.size()), plane.area, plane.corner);
     full_planes_.push_back(plane.found.plane);
     coarse_planes_.push_back(scale.ToCoarse(plane.found.plane));
