@@ -63,7 +63,9 @@ std::vector<std::size_t> ScanColumn(const SurfaceFamily& family, const VolumeSha
   std::vector<std::size_t> surface(size, 0);
   std::vector<int> distance(size, std::numeric_limits<int>::max() / 2);
   for (std::size_t k = family.scales.size(); k-- > 0;) {
-    const auto at = static_cast<std::size_t>(RoundedIndex(family, shape, k, y, x) + kMargin);
+    // Far out a surface stands at the end: only the order of distances counts.
+    const auto at = static_cast<std::size_t>(
+        std::clamp(RoundedIndex(family, shape, k, y, x) + kMargin, 0, static_cast<int>(size) - 1));
     surface[at] = k;
     distance[at] = 0;
   }
