@@ -51,6 +51,11 @@ struct EnumNames<PathScheme> {
       {{PathScheme::kEight, "eight"}, {PathScheme::kFourTwice, "four_twice"}}};
 };
 template <>
+struct EnumNames<PathCosts> {
+  static constexpr std::array<std::pair<PathCosts, const char*>, 2> kValues{
+      {{PathCosts::kCompact, "compact"}, {PathCosts::kFull, "full"}}};
+};
+template <>
 struct EnumNames<Subpixel> {
   static constexpr std::array<std::pair<Subpixel, const char*>, 4> kValues{
       {{Subpixel::kNone, "none"},
@@ -95,6 +100,11 @@ void VisitOptions(OptionsT& o, Visitor&& visit) {
         o.num_disparities);
   visit(OptionField{"threads", "", "Threads that match one frame; 0 takes all cores.", 0, 256},
         o.threads);
+  visit(OptionField{"memory_limit", "MB",
+                    "Memory of one frame above which the aggregation works in strips: the same "
+                    "result in half as much time again; 0: no limit.",
+                    0, 1000000},
+        o.memory_limit);
 
   visit(OptionField{"alignment/mode", "",
                     "Warp the right image by a fitted y' = a y + b: off, on, or auto (only where "
@@ -122,6 +132,10 @@ void VisitOptions(OptionsT& o, Visitor&& visit) {
                     "How eight path evaluations are spent: eight directions, or four_twice (four "
                     "axis directions, repeated on costs sharpened by the first result)."},
         o.aggregation.scheme);
+  visit(OptionField{"aggregation/path_costs", "",
+                    "compact: costs in about 36 steps and path costs of 8 bits, where the "
+                    "penalties let them fit; full: 256 steps and 16 bits, half as fast."},
+        o.aggregation.path_costs);
   // Sums of eight path costs have 16 bits: 8 (255 + P1 (1 + alpha)) has to stay below 65535.
   visit(OptionField{"aggregation/p1", "cost", "Penalty of a disparity step of one.", 0, 400},
         o.aggregation.p1);

@@ -44,6 +44,12 @@ enum class PathScheme {
   kFourTwice,  // four axis directions twice, the second time on costs sharpened by the first S
 };
 
+// Resolution of costs and path costs.
+enum class PathCosts {
+  kCompact,  // costs in about 36 steps, path costs of 8 bits where the penalties let them fit
+  kFull,     // costs in 256 steps, path costs of 16 bits: half as fast
+};
+
 enum class Subpixel { kNone, kEquiangular, kParabola, kBlend };
 
 // What the published confidence is computed from.
@@ -66,7 +72,8 @@ struct CostOptions {
 
 struct AggregationOptions {
   PathScheme scheme = PathScheme::kEight;
-  int p1 = 120;
+  PathCosts path_costs = PathCosts::kCompact;
+  int p1 = 112;
   double alpha = 12.0;
   double beta = 7.0;
   bool color_guide = true;
@@ -108,6 +115,7 @@ struct Options {
   int min_disparity = 0;
   int num_disparities = 128;
   int threads = 0;
+  int memory_limit = 0;
   AlignmentOptions alignment;
   CostOptions cost;
   AggregationOptions aggregation;

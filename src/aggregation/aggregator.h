@@ -27,7 +27,8 @@ struct PathPrior {
 // Two sweeps of four paths each: the first, from the top left, stores the sum of its path costs;
 // the second, from the bottom right, adds its own and reads the winners off S(p, d). The rows of
 // a sweep are spread over threads as a wavefront, so that the result does not depend on their
-// number. Buffers are kept between calls.
+// number. Path costs have 8 bits where C + P2 fits them (compact costs), else 16. Buffers are
+// kept between calls.
 class Aggregator {
  public:
   Aggregator();
@@ -35,12 +36,19 @@ class Aggregator {
   Aggregator(const Aggregator&) = delete;
   Aggregator& operator=(const Aggregator&) = delete;
 
-  // `guide`: the left image, CV_8UC1 or CV_8UC3, for P2.
+  // `guide`: the left image, CV_8UC1 or CV_8UC3, for P2. `strip_rows`: rows whose S is held at a
+  // time (RowStrips), 0 for all.
   void Run(const CostRows& costs, const cv::Mat& guide, const AggregationOptions& options,
-           const PathPrior& prior, ThreadPool* pool, WinnerMap* winners);
+           const PathPrior& prior, int strip_rows, ThreadPool* pool, WinnerMap* winners);
 
-  // Bytes held for a volume of this shape.
-  static std::size_t Memory(const VolumeShape& shape, PathScheme scheme, int threads);
+  // Bytes held for a volume of this shape, with costs of this unit.
+  static std::size_t Memory(const VolumeShape& shape, const AggregationOptions& options, int unit,
+                            int threads, int strip_rows);
+
+  // The strips to run in for Memory to stay within `limit` bytes; those of the least memory where
+  // none do.
+  static int StripRows(const VolumeShape& shape, const AggregationOptions& options, int unit,
+                       int threads, std::size_t limit);
 
  private:
   class Impl;

@@ -1,5 +1,5 @@
-// The smoothness term V_S of SGM-P: the predecessor's path costs as the transition to the next
-// pixel sees them, moved by the jumps of the orientation prior.
+// The smoothness term V_S of SGM-P: the predecessor's message as the next pixel receives it, moved
+// by the jumps of the orientation prior.
 #if defined(STEREO_SGMP_AGGREGATION_JUMP_KERNEL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef STEREO_SGMP_AGGREGATION_JUMP_KERNEL_INL_H_
 #undef STEREO_SGMP_AGGREGATION_JUMP_KERNEL_INL_H_
@@ -12,7 +12,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 
+#include "aggregation/lane_masks.h"
+#include "aggregation/lanes-inl.h"
 #include "aggregation/path_state.h"
 #include "prior/orientation_prior.h"
 
@@ -21,54 +24,74 @@ namespace stereo_sgmp {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// moved[t] = min(moved[t], costs[t - jump]) for the predecessor's disparities [begin, end). A
-// moved disparity counts from -1 to D, since it may still be one step (P1) from a valid one.
-HWY_INLINE void MoveSegment(const JumpSegment& segment, const std::uint16_t* costs, int disparities,
-                            std::uint16_t* moved) {
-  const hn::ScalableTag<std::uint16_t> d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  const int begin = std::max(segment.begin + segment.jump, -1);
-  const int end = std::min(segment.end + segment.jump, disparities + 1);
-  const auto unreachable = hn::Set(d, PathSlot::kUnreachable);
-  for (int t = begin; t < end; t += lanes) {
-    const auto inside = hn::FirstN(d, static_cast<std::size_t>(end - t));
-    const auto cost = hn::IfThenElse(inside, hn::LoadU(d, costs + t - segment.jump), unreachable);
-    hn::StoreU(hn::Min(cost, hn::LoadU(d, moved + t)), d, moved + t);
+// A message on its way, and what it costs not to follow the jump; less than 0: no way around it.
+template <class T>
+struct Journey {
+  const T* message;
+  int disparities;
+  int slack;
+};
+
+// What arrives at the disparities [t, t + lanes) of all that moves by one jump: the message of
+// t - jump where that is in [begin, end), kUnreachable elsewhere.
+template <class T>
+HWY_INLINE Lanes<T> ArrivalsOf(const JumpSegment& segment, const Journey<T>& journey, int t) {
+  const Tag<T> d;
+  const int first = std::max(segment.begin + segment.jump, 0) - t;
+  const int end = std::min(segment.end + segment.jump, journey.disparities) - t;
+  if (end <= 0 || first >= kLanes<T>) return hn::Set(d, PathSlot<T>::kUnreachable);
+  Lanes<T> arrived = hn::LoadU(d, journey.message + t - segment.jump);
+  if (first > 0) arrived = hn::Or(arrived, hn::LoadU(d, LaneMasks<T>::Below(first)));
+  if (end < kLanes<T>) arrived = hn::Or(arrived, hn::LoadU(d, LaneMasks<T>::From(end)));
+  return arrived;
+}
+
+// Without a jump the message arrives where it is, for the price of the slack.
+template <class T>
+HWY_INLINE Lanes<T> Stayed(const Journey<T>& journey, int t) {
+  const Tag<T> d;
+  if (journey.slack < 0) return hn::Set(d, PathSlot<T>::kUnreachable);
+  return hn::SaturatedAdd(hn::Load(d, journey.message + t),
+                          hn::Set(d, static_cast<T>(journey.slack)));
+}
+
+template <class T>
+HWY_INLINE void MoveAll(int jump, const Journey<T>& journey, T* moved) {
+  const JumpSegment all{0, journey.disparities, jump};
+  for (int t = 0; t < journey.disparities; t += kLanes<T>) {
+    hn::Store(hn::Min(Stayed(journey, t), ArrivalsOf(all, journey, t)), Tag<T>(), moved + t);
   }
 }
 
-// What is left without the jump: L(p, t) + slack where staying is allowed, else nothing.
-HWY_INLINE void StartMoved(const std::uint16_t* costs, int disparities, int slack,
-                           std::uint16_t* moved) {
-  const hn::ScalableTag<std::uint16_t> d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  const auto unreachable = hn::Set(d, PathSlot::kUnreachable);
-  const auto price = hn::Set(d, static_cast<std::uint16_t>(std::max(slack, 0)));
-  for (int t = -PathSlot::kPad; t <= disparities; t += lanes) {
-    const auto stay = hn::Min(hn::Add(hn::Load(d, costs + t), price), unreachable);
-    hn::Store(slack >= 0 ? stay : unreachable, d, moved + t);
-  }
-}
-
-// The costs e(t) = min over d with d + j(d) = t of L(p, d), and L(p, t) + slack if slack >= 0.
-// Points into `costs` where that will do, else into the slot `scratch`.
-HWY_INLINE const std::uint16_t* MovePredecessor(const JumpRow& row, std::size_t entry,
-                                                const std::uint16_t* costs, int disparities,
-                                                int slack, std::uint16_t* scratch) {
-  const int jump = row.jump[entry];
-  if (jump == 0) return costs;
-  const bool varies = jump == JumpRow::kVaries;
-  if (!varies && slack < 0 && std::abs(jump) < PathSlot::kPad) return costs - jump;
-
-  std::uint16_t* moved = scratch + PathSlot::kPad;
-  StartMoved(costs, disparities, slack, moved);
-  if (varies) {
-    const JumpSegment* segment = row.segments.data() + row.first_segment[entry];
-    for (int i = 0; i < row.segment_count[entry]; ++i) {
-      MoveSegment(segment[i], costs, disparities, moved);
+template <class T>
+HWY_INLINE void MoveSegments(const JumpSegment* segments, int count, const Journey<T>& journey,
+                             T* moved) {
+  for (int t = 0; t < journey.disparities; t += kLanes<T>) {
+    Lanes<T> arrived = Stayed(journey, t);
+    for (int i = 0; i < count; ++i) {
+      arrived = hn::Min(arrived, ArrivalsOf(segments[i], journey, t));
     }
+    hn::Store(arrived, Tag<T>(), moved + t);
+  }
+}
+
+// The least of M_r(p, d) over the d with d + j_p(d) = t, and of M_r(p, t) + slack if slack >= 0,
+// for every t. Points into the message where that will do, else into the slot `scratch`.
+template <class T>
+HWY_INLINE const T* MoveMessage(const JumpRow& row, std::size_t entry, const Journey<T>& journey,
+                                T* scratch) {
+  const int jump = row.jump[entry];
+  if (jump == 0) return journey.message;
+  const bool varies = jump == JumpRow::kVaries;
+  if (!varies && journey.slack < 0 && std::abs(jump) <= PathSlot<T>::kPad) {
+    return journey.message - jump;
+  }
+  T* moved = scratch + PathSlot<T>::kPad;
+  if (varies) {
+    MoveSegments(row.segments.data() + row.first_segment[entry], row.segment_count[entry], journey,
+                 moved);
   } else {
-    MoveSegment({0, disparities, jump}, costs, disparities, moved);
+    MoveAll(jump, journey, moved);
   }
   return moved;
 }

@@ -1,67 +1,87 @@
 #ifndef STEREO_SGMP_AGGREGATION_PATH_STATE_H_
 #define STEREO_SGMP_AGGREGATION_PATH_STATE_H_
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "aggregation/paths.h"
 #include "common/aligned_buffer.h"
 
 namespace stereo_sgmp {
 
-// Path costs L_r(p, d) of one pixel and path over all disparity indices stand in a slot, with
-// kUnreachable before and behind, so that kernels read d - 1, d + 1 and small jumps unchecked.
+// What a pixel p sends along a path r, for every disparity index d at which the next pixel may
+// receive it: the least cost of arriving there by staying or by a step of one,
+//   M_r(p, d) = min(L_r(p, d), L_r(p, d - 1) + P1, L_r(p, d + 1) + P1) - min_d' L_r(p, d').
+// The next pixel q adds its own cost, bounded by the penalty of a large step and moved by the jump
+// of the prior: L_r(q, d) = C_q(d) + min(M_r(p, d - j), P2).
+//
+// A message stands in a slot with kUnreachable before and behind, so that kernels read moved
+// messages unchecked: a jump needs its start within the range. T is std::uint8_t where C + P2
+// never exceeds it, else std::uint16_t.
+template <class T>
 struct PathSlot {
-  static constexpr std::uint16_t kUnreachable = 0x7FFF;
-  // Jumps below it are applied as shifted loads.
-  static constexpr int kPad = 32;
+  static constexpr T kUnreachable = std::numeric_limits<T>::max();
+  // Jumps up to it are applied as shifted loads. At least a SIMD vector of lanes.
+  static constexpr int kPad = 64;
 
   static std::size_t Size(int stride) { return static_cast<std::size_t>(stride) + 2 * kPad; }
 };
 
 // The slots of the paths that come from the row above, for a window of pixels of one row: pixel
 // u (in sweep order) has the place u & mask, so that a ring serves as well as a whole row.
+template <class T>
 struct StateLine {
-  std::uint16_t* costs = nullptr;
-  std::uint16_t* minima = nullptr;  // min_d L_r
+  T* slots = nullptr;
   unsigned mask = 0;
   std::size_t slot = 0;  // size of a slot
 
   static constexpr int kPaths = kPathsPerSweep - 1;  // all but kAcross
 
-  std::size_t Index(int u, int path) const {
-    return static_cast<std::size_t>(static_cast<unsigned>(u) & mask) * kPaths +
-           static_cast<std::size_t>(path - 1);
+  T* Message(int u, int path) const {
+    const std::size_t index = static_cast<std::size_t>(static_cast<unsigned>(u) & mask) * kPaths +
+                              static_cast<std::size_t>(path - 1);
+    return slots + index * slot + PathSlot<T>::kPad;
   }
-  std::uint16_t* Costs(int u, int path) const {
-    return costs + Index(u, path) * slot + PathSlot::kPad;
-  }
-  std::uint16_t& Minimum(int u, int path) const { return minima[Index(u, path)]; }
 };
 
 // Memory of a StateLine for `places` pixels: a ring, of a power of two, or a whole row.
+template <class T>
 class StateLineBuffer {
  public:
-  void Create(int places, int disparities, int stride, bool is_ring);
-  const StateLine& line() const { return line_; }
-  static std::size_t Bytes(int places, int stride);
+  void Create(int places, int disparities, int stride, bool is_ring) {
+    const std::size_t slot = PathSlot<T>::Size(stride);
+    const std::size_t size = static_cast<std::size_t>(places) * StateLine<T>::kPaths * slot;
+    const bool same_layout =
+        slots_.size() == size && line_.slot == slot && disparities_ == disparities;
+    disparities_ = disparities;
+    slots_.Resize(size);
+    if (!same_layout) std::fill_n(slots_.data(), size, PathSlot<T>::kUnreachable);
+    line_.slots = slots_.data();
+    line_.mask = is_ring ? static_cast<unsigned>(places) - 1U : ~0U;
+    line_.slot = slot;
+  }
+
+  const StateLine<T>& line() const { return line_; }
+
+  static std::size_t Bytes(int places, int stride) {
+    return static_cast<std::size_t>(places) * StateLine<T>::kPaths * PathSlot<T>::Size(stride) *
+           sizeof(T);
+  }
 
  private:
-  AlignedBuffer<std::uint16_t> costs_;
-  AlignedBuffer<std::uint16_t> minima_;
-  StateLine line_;
+  AlignedBuffer<T> slots_;
+  StateLine<T> line_;
   int disparities_ = 0;
 };
 
 // The slots of the path along the row: the pixel before and the pixel itself take turns.
+template <class T>
 struct AcrossState {
-  std::uint16_t* before = nullptr;  // L_r of the pixel before
-  std::uint16_t* here = nullptr;
-  std::uint16_t minimum = 0;  // min_d of `before`
+  T* before = nullptr;
+  T* here = nullptr;
 };
-
-// Writes kUnreachable around (and into) `count` slots that follow each other.
-void FillUnreachable(std::uint16_t* slots, std::size_t count, std::size_t slot);
 
 }  // namespace stereo_sgmp
 

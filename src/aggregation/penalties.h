@@ -2,21 +2,26 @@
 #define STEREO_SGMP_AGGREGATION_PENALTIES_H_
 
 #include <array>
-#include <cstdint>
 
 #include "stereo_sgmp/options.h"
 
 namespace stereo_sgmp {
 
 // The penalties of the smoothness term V(d, d') (Eq. 2): 0 for equal disparities, P1 for a step
-// of one, P2 for larger ones.
+// of one, P2 for larger ones; and what a path pays for not following the prior. In the unit of
+// the costs that they are added to, rounded.
 struct Penalties {
-  std::uint16_t p1 = 0;
+  int p1 = 0;
   // P2 = P1 (1 + alpha exp(-|dI| / beta)) by the contrast |dI| of the two pixels.
-  std::array<std::uint16_t, 256> p2{};
+  std::array<int, 256> p2{};
+  int slack = -1;  // less than 0: the prior must be followed
 
-  explicit Penalties(const AggregationOptions& options);
+  // `jump_slack` as in PriorOptions.
+  Penalties(const AggregationOptions& options, int jump_slack, int unit);
 };
+
+// The smallest unit of compact costs (CostRows::unit) with which costs and path costs fit 8 bits.
+int CompactUnit(const AggregationOptions& options);
 
 }  // namespace stereo_sgmp
 

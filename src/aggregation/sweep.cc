@@ -6,109 +6,138 @@
 #include <cstdlib>
 
 namespace stereo_sgmp {
-namespace {
 
-// Slots of a workspace: two per row for the path across, one per path for moved predecessors,
-// one for S.
-constexpr int kTotalSlots = 1;
-
-}  // namespace
-
-void Sweep::Run(const SweepJob& job, ThreadPool* pool) {
+template <class T>
+void Sweep<T>::Run(const SweepJob& job, const StateLineBuffer<T>* before, StateLineBuffer<T>* after,
+                   ThreadPool* pool) {
   job_ = job;
+  before_ = before;
+  after_ = after;
   shape_ = job.costs->shape();
   Prepare(pool->size());
   pool->Run([&](int thread) { RunThread(thread, pool->size()); });
 }
 
-std::size_t Sweep::Memory(const VolumeShape& shape, int threads) {
+template <class T>
+std::size_t Sweep<T>::Memory(const VolumeShape& shape, int threads) {
   const int stride = shape.Stride();
+  constexpr std::size_t kSlots = 2 * kRowsPerGroup + kPathsPerSweep;
   const std::size_t workspace =
-      (kRowsPerGroup - 1) * StateLineBuffer::Bytes(kRing, stride) +
-      (2 * kRowsPerGroup + kPathsPerSweep + kTotalSlots) * PathSlot::Size(stride) * 2 +
-      static_cast<std::size_t>(kStretch) * static_cast<std::size_t>(stride) +
+      (kRowsPerGroup - 1) * StateLineBuffer<T>::Bytes(kRing, stride) +
+      kSlots * PathSlot<T>::Size(stride) * sizeof(T) +
+      static_cast<std::size_t>(kStretch + 2) * static_cast<std::size_t>(stride) +
       kRowsPerGroup * 4 * static_cast<std::size_t>(shape.width + stride);
-  return 2 * StateLineBuffer::Bytes(shape.width, stride) +
+  return 2 * StateLineBuffer<T>::Bytes(shape.width, stride) +
          static_cast<std::size_t>(threads) * workspace;
 }
 
-void Sweep::Prepare(int threads) {
+template <class T>
+void Sweep<T>::Prepare(int threads) {
   const int stride = shape_.Stride();
-  for (StateLineBuffer& line : boundaries_)
+  for (StateLineBuffer<T>& line : boundaries_) {
     line.Create(shape_.width, shape_.disparities, stride, false);
-  start_.Resize(PathSlot::Size(stride));
-  std::fill(start_.data(), start_.data() + start_.size(), std::uint16_t{0});
+  }
+  if (after_ != nullptr) after_->Create(shape_.width, shape_.disparities, stride, false);
+  start_.Resize(PathSlot<T>::Size(stride));
+  std::fill_n(start_.data(), start_.size(), T{0});
+  for (std::size_t i = 0; i < p2_.size(); ++i) p2_[i] = static_cast<T>(job_.penalties->p2[i]);
   progress_.Reset(Groups());
   workspaces_.resize(static_cast<std::size_t>(threads));
   for (Workspace& workspace : workspaces_) PrepareWorkspace(&workspace);
 }
 
-void Sweep::PrepareWorkspace(Workspace* workspace) const {
+// Slots of a workspace: two per row for the path across, one per path for messages that moved.
+template <class T>
+void Sweep<T>::PrepareWorkspace(Workspace* workspace) const {
   const int stride = shape_.Stride();
-  const std::size_t slot = PathSlot::Size(stride);
-  for (StateLineBuffer& ring : workspace->rings)
+  const auto padded = static_cast<std::size_t>(stride);
+  for (StateLineBuffer<T>& ring : workspace->rings) {
     ring.Create(kRing, shape_.disparities, stride, true);
-  constexpr std::size_t kSlots = 2 * kRowsPerGroup + kPathsPerSweep + kTotalSlots;
-  workspace->slots.Resize(kSlots * slot);
-  FillUnreachable(workspace->slots.data(), kSlots, slot);
-  workspace->cost.Resize(static_cast<std::size_t>(kStretch) * static_cast<std::size_t>(stride));
-  for (RightRow& right : workspace->right) {
+  }
+  workspace->slots.Resize((2 * kRowsPerGroup + kPathsPerSweep) * PathSlot<T>::Size(stride));
+  std::fill_n(workspace->slots.data(), workspace->slots.size(), PathSlot<T>::kUnreachable);
+  workspace->cost.Resize(kStretch * padded);
+  workspace->total.Resize(padded);
+  std::fill_n(workspace->total.data(), padded, WinnerMap::kNone);
+  for (RightRowBuffer& right : workspace->right) {
     const auto size = static_cast<std::size_t>(shape_.width + std::abs(shape_.min_disparity) +
-                                               stride + PathSlot::kPad);
+                                               2 * (stride + PathSlot<T>::kPad));
     right.cost.resize(size);
     right.winner.resize(size);
   }
 }
 
-void Sweep::RunThread(int thread, int threads) {
+template <class T>
+void Sweep<T>::RunThread(int thread, int threads) {
   Workspace& workspace = workspaces_[static_cast<std::size_t>(thread)];
   for (int group = thread; group < Groups(); group += threads) RunGroup(group, &workspace);
   // S was stored past the caches; other threads read it in the next sweep.
   hwy::FlushStream();
 }
 
-void Sweep::RunGroup(int group, Workspace* workspace) {
+template <class T>
+void Sweep<T>::RunGroup(int group, Workspace* workspace) {
   const int width = shape_.width;
-  const int rows = std::min(kRowsPerGroup, shape_.height - group * kRowsPerGroup);
-  for (int k = 0; k < rows; ++k) StartRow(k, workspace);
-  const int span = width + rows - 1;  // the last row runs rows - 1 pixels behind
+  RowPlace place;
+  place.group = group;
+  const int first = job_.begin + group * kRowsPerGroup;
+  place.rows = std::min(kRowsPerGroup, job_.end - first);
+  for (int row = 0; row < place.rows; ++row) StartRow(row, workspace);
+  const int span = width + place.rows - 1;  // the last row runs rows - 1 pixels behind
   for (int begin = 0; begin < span; begin += kStretch) {
-    for (int k = 0; k < rows; ++k) {
-      const int u_begin = std::max(0, begin - k);
-      const int u_end = std::min(width, begin + kStretch - k);
+    for (int row = 0; row < place.rows; ++row) {
+      const int u_begin = std::max(0, begin - row);
+      const int u_end = std::min(width, begin + kStretch - row);
       if (u_begin >= u_end) continue;
-      if (k == 0 && group > 0) progress_.WaitFor(group - 1, std::min(width, u_end + 1));
-      RunStretch(group, k, rows, u_begin, u_end, workspace);
-      if (k == rows - 1) progress_.Publish(group, u_end);
+      if (row == 0 && group > 0) progress_.WaitFor(group - 1, std::min(width, u_end + 1));
+      place.row = row;
+      place.v = first + row;
+      RunStretch(place, u_begin, u_end, workspace);
+      if (place.IsLast()) progress_.Publish(group, u_end);
     }
   }
   if (job_.kind != SweepKind::kLast) return;
-  for (int k = 0; k < rows; ++k) {
-    FinishRow(group * kRowsPerGroup + k, workspace->right[static_cast<std::size_t>(k)]);
+  for (int row = 0; row < place.rows; ++row) {
+    FinishRow(ImageRow(first + row), &workspace->right[static_cast<std::size_t>(row)]);
   }
 }
 
-void Sweep::StartRow(int row_in_group, Workspace* workspace) const {
-  const auto k = static_cast<std::size_t>(row_in_group);
-  const std::size_t slot = PathSlot::Size(shape_.Stride());
-  AcrossState& across = workspace->across[k];
-  across.before = workspace->slots.data() + 2 * k * slot + PathSlot::kPad;
+template <class T>
+void Sweep<T>::StartRow(int row, Workspace* workspace) const {
+  const auto k = static_cast<std::size_t>(row);
+  const std::size_t slot = PathSlot<T>::Size(shape_.Stride());
+  AcrossState<T>& across = workspace->across[k];
+  across.before = workspace->slots.data() + 2 * k * slot + PathSlot<T>::kPad;
   across.here = across.before + slot;
   if (job_.kind != SweepKind::kLast) return;
-  RightRow& right = workspace->right[k];
+  RightRowBuffer& right = workspace->right[k];
   std::fill(right.cost.begin(), right.cost.end(), WinnerMap::kNone);
-  std::fill(right.winner.begin(), right.winner.end(), WinnerMap::kNone);
 }
 
-void Sweep::RunStretch(int group, int row_in_group, int rows, int u_begin, int u_end,
-                       Workspace* workspace) {
-  const auto k = static_cast<std::size_t>(row_in_group);
-  const int y = ImageRow(group * kRowsPerGroup + row_in_group);
+template <class T>
+StateLine<T> Sweep<T>::Above(const RowPlace& place, const Workspace& workspace) const {
+  if (place.row > 0) return workspace.rings[static_cast<std::size_t>(place.row) - 1].line();
+  if (place.group > 0) return boundaries_[static_cast<std::size_t>(1 - place.group % 2)].line();
+  return before_ != nullptr ? before_->line() : StateLine<T>();
+}
+
+template <class T>
+StateLine<T> Sweep<T>::Current(const RowPlace& place, const Workspace& workspace) const {
+  if (!place.IsLast()) return workspace.rings[static_cast<std::size_t>(place.row)].line();
+  if (after_ != nullptr && place.group == Groups() - 1) return after_->line();
+  return boundaries_[static_cast<std::size_t>(place.group % 2)].line();
+}
+
+template <class T>
+void Sweep<T>::RunStretch(const RowPlace& place, int u_begin, int u_end, Workspace* workspace) {
+  const int y = ImageRow(place.v);
   const int x_begin = job_.backward ? shape_.width - u_end : u_begin;
   const int x_end = x_begin + u_end - u_begin;
   const std::ptrdiff_t stride = shape_.Stride();
 
-  SweepStretch s;
+  SweepStretch<T> s;
+  s.kind = job_.kind;
+  s.paths = job_.paths;
   s.u_begin = u_begin;
   s.u_end = u_end;
   s.width = shape_.width;
@@ -118,67 +147,71 @@ void Sweep::RunStretch(int group, int row_in_group, int rows, int u_begin, int u
   s.x_first = job_.backward ? x_end - 1 : x_begin;
   s.cost =
       job_.costs->Row(y, x_begin, x_end, workspace->cost.data()) + (s.x_first - x_begin) * stride;
-  const std::ptrdiff_t pixel = static_cast<std::ptrdiff_t>(y) * shape_.width + s.x_first;
-  s.sum = job_.sum + pixel * stride;
-  s.minimum_sum = job_.minimum_sum + pixel;
+  s.has_above = place.v > 0;
+  s.above = Above(place, *workspace);
+  s.current = Current(place, *workspace);
+  s.across = &workspace->across[static_cast<std::size_t>(place.row)];
+  s.p1 = static_cast<T>(job_.penalties->p1);
+  s.p2 = p2_.data();
+  s.start = start_.data() + PathSlot<T>::kPad;
+  s.total = workspace->total.data();
+  s.unit = static_cast<std::uint16_t>(job_.costs->unit());
+  for (int i = 0; i < job_.paths; ++i) {
+    const auto path = static_cast<std::size_t>(i);
+    // The contrast of a step is that of the opposite step from its other end.
+    const PathStep end = job_.backward ? kForwardSteps[path] : PathStep{0, 0};
+    s.contrast[path] = job_.contrast->Row(static_cast<Path>(i), y + end.dy) + s.x_first + end.dx;
+  }
+  if (job_.prior != nullptr) FollowPrior(y, x_begin, x_end, &s, workspace);
+  AddOutputs(y, &workspace->right[static_cast<std::size_t>(place.row)], &s);
+  SweepPixels(s);
+}
 
-  s.has_above = group > 0 || row_in_group > 0;
-  const auto parity = static_cast<std::size_t>(group % 2);
-  s.above = row_in_group > 0 ? workspace->rings[k - 1].line() : boundaries_[1 - parity].line();
-  s.current = row_in_group < rows - 1 ? workspace->rings[k].line() : boundaries_[parity].line();
-  s.across = &workspace->across[k];
-
-  s.p1 = job_.penalties->p1;
-  s.p2 = job_.penalties->p2.data();
+template <class T>
+void Sweep<T>::FollowPrior(int y, int x_begin, int x_end, SweepStretch<T>* stretch,
+                           Workspace* workspace) const {
   for (int i = 0; i < job_.paths; ++i) {
     const auto path = static_cast<std::size_t>(i);
     const PathStep forward = kForwardSteps[path];
-    // The contrast of a step is that of the opposite step from its other end.
-    const PathStep end = job_.backward ? forward : PathStep{0, 0};
-    s.contrast[path] = job_.contrast->Row(static_cast<Path>(i), y + end.dy) + s.x_first + end.dx;
-    if (job_.prior == nullptr) continue;
     const PathStep step = job_.backward ? PathStep{-forward.dx, -forward.dy} : forward;
     job_.prior->Jumps(y, x_begin, x_end, step, &workspace->jumps[path]);
   }
-  s.jumps = job_.prior != nullptr ? &workspace->jumps : nullptr;
-  s.jump_slack = job_.jump_slack;
-  const std::size_t slot = PathSlot::Size(shape_.Stride());
-  s.moved = workspace->slots.data() + 2 * kRowsPerGroup * slot;
-  s.total = s.moved + kPathsPerSweep * slot;
-  s.start = start_.data() + PathSlot::kPad;
-  Dispatch(s, y, &workspace->right[k]);
+  stretch->jumps = &workspace->jumps;
+  stretch->jump_slack = job_.penalties->slack;
+  stretch->moved = workspace->slots.data() + 2 * kRowsPerGroup * PathSlot<T>::Size(shape_.Stride());
 }
 
-void Sweep::Dispatch(const SweepStretch& s, int y, RightRow* right) const {
-  const bool four = job_.paths == kPathsPerSweep;
-  switch (job_.kind) {
-    case SweepKind::kFirst:
-      return four ? SweepFirst<4>(s) : SweepFirst<2>(s);
-    case SweepKind::kSharpen: {
-      const std::ptrdiff_t pixel = static_cast<std::ptrdiff_t>(y) * shape_.width + s.x_first;
-      return SweepSharpen<2>(s, job_.sharpened + pixel * s.stride);
-    }
-    case SweepKind::kLast: {
-      WinnerMap& map = *job_.winners;
-      WinnerRow row;
-      row.winner = map.winner[y];
-      row.cost = map.cost[y];
-      row.cost_below = map.cost_below[y];
-      row.cost_above = map.cost_above[y];
-      row.second = map.second[y];
-      row.uncertainty = map.uncertainty[y];
-      row.right_cost = right->cost.data();
-      row.right_winner = right->winner.data();
-      row.x_origin = shape_.width - 1 + shape_.min_disparity + RightMargin();
-      return four ? SweepLast<4>(s, row) : SweepLast<2>(s, row);
-    }
+template <class T>
+void Sweep<T>::AddOutputs(int y, RightRowBuffer* right, SweepStretch<T>* stretch) const {
+  if (job_.kind == SweepKind::kStates) return;
+  const std::ptrdiff_t pixel = static_cast<std::ptrdiff_t>(y) * shape_.width + stretch->x_first;
+  const std::ptrdiff_t last = static_cast<std::ptrdiff_t>(job_.sum_rows_end) * shape_.width - 1;
+  stretch->sum = job_.sum + (last - pixel) * stretch->stride;
+  stretch->minimum_sum = job_.minimum_sum + pixel;
+  if (job_.kind == SweepKind::kSharpen) {
+    stretch->sharpened = job_.sharpened + pixel * stretch->stride;
   }
+  if (job_.kind != SweepKind::kLast) return;
+  WinnerMap& map = *job_.winners;
+  stretch->winners = {map.winner[y],     map.cost[y],   map.cost_below[y],
+                      map.cost_above[y], map.second[y], map.uncertainty[y]};
+  stretch->right = RightOf(right);
 }
 
-void Sweep::FinishRow(int v, const RightRow& right) const {
-  std::uint16_t* row = job_.winners->right_winner[ImageRow(v)];
-  const std::uint16_t* last = right.winner.data() + RightMargin() + shape_.width - 1;
-  for (int x = 0; x < shape_.width; ++x) row[x] = *(last - x);
+template <class T>
+RightRow Sweep<T>::RightOf(RightRowBuffer* right) const {
+  const auto size = static_cast<std::ptrdiff_t>(right->cost.size());
+  return {right->cost.data(), right->winner.data(), size / 2,
+          shape_.width - 1 + shape_.min_disparity + RightMargin()};
 }
+
+template <class T>
+void Sweep<T>::FinishRow(int y, RightRowBuffer* right) const {
+  ReadRightWinners<T>(RightOf(right), RightMargin() + shape_.width - 1, shape_.width,
+                      job_.winners->right_winner[y]);
+}
+
+template class Sweep<std::uint8_t>;
+template class Sweep<std::uint16_t>;
 
 }  // namespace stereo_sgmp

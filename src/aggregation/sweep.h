@@ -18,31 +18,37 @@
 
 namespace stereo_sgmp {
 
-// What one sweep does with the sums of its paths.
-enum class SweepKind { kFirst, kSharpen, kLast };
-
-// One sweep over the volume: its inputs and outputs.
+// One sweep over some rows of the volume: its inputs and outputs.
 struct SweepJob {
   SweepKind kind = SweepKind::kFirst;
   bool backward = false;
   int paths = kPathsPerSweep;  // 4, or 2 for the axis directions only
+  // The rows [begin, end) of the sweep, counted in its own direction.
+  int begin = 0;
+  int end = 0;
   const CostRows* costs = nullptr;
   const Contrast* contrast = nullptr;
   const Penalties* penalties = nullptr;
   const OrientationPrior* prior = nullptr;  // or null
-  int jump_slack = -1;
-  std::uint16_t* sum = nullptr;          // S, [y][x][stride]
+  // S from the last pixel before the image row `sum_rows_end` back to the first of the strip.
+  std::uint16_t* sum = nullptr;
+  int sum_rows_end = 0;
   std::uint16_t* minimum_sum = nullptr;  // sum over r of min_d L_r, [y][x]
   std::uint8_t* sharpened = nullptr;     // kSharpen: [y][x][stride]
   WinnerMap* winners = nullptr;          // kLast
 };
 
-// Runs sweeps. Each thread takes groups of rows; within a group the rows advance together in
-// stretches, each row one pixel behind the row above, so that the path costs between them stay
-// in the cache; only the last row of a group goes through memory to the next group.
+// Runs sweeps with messages of type T. Each thread takes groups of rows; within a group the rows
+// advance together in stretches, each row one pixel behind the row above, so that the messages
+// between them stay in the cache; only the last row of a group goes through memory to the next
+// group.
+template <class T>
 class Sweep {
  public:
-  void Run(const SweepJob& job, ThreadPool* pool);
+  // `before`: the messages of the row before job.begin, unless that is 0; `after` receives those
+  // of the last row. Both may be null where there is nothing before or nobody asks.
+  void Run(const SweepJob& job, const StateLineBuffer<T>* before, StateLineBuffer<T>* after,
+           ThreadPool* pool);
   static std::size_t Memory(const VolumeShape& shape, int threads);
 
  private:
@@ -51,43 +57,64 @@ class Sweep {
   static constexpr int kRing = 64;  // power of two, >= kStretch + 2
 
   // Row of the right image that is being filled by one row of the last sweep.
-  struct RightRow {
+  struct RightRowBuffer {
     std::vector<std::uint16_t> cost;
     std::vector<std::uint16_t> winner;
   };
 
   // What a thread needs for its group.
   struct Workspace {
-    std::array<StateLineBuffer, kRowsPerGroup - 1> rings;
-    AlignedBuffer<std::uint16_t> slots;
-    std::array<AcrossState, kRowsPerGroup> across;
+    std::array<StateLineBuffer<T>, kRowsPerGroup - 1> rings;
+    AlignedBuffer<T> slots;
+    AlignedBuffer<std::uint16_t> total;
+    std::array<AcrossState<T>, kRowsPerGroup> across;
     AlignedBuffer<std::uint8_t> cost;
     std::array<JumpRow, kPathsPerSweep> jumps;
-    std::array<RightRow, kRowsPerGroup> right;
+    std::array<RightRowBuffer, kRowsPerGroup> right;
+  };
+
+  // One row of a group.
+  struct RowPlace {
+    int group = 0;
+    int row = 0;   // in the group
+    int rows = 0;  // of the group
+    int v = 0;     // in the sweep
+
+    bool IsLast() const { return row == rows - 1; }
   };
 
   void Prepare(int threads);
   void PrepareWorkspace(Workspace* workspace) const;
   void RunThread(int thread, int threads);
   void RunGroup(int group, Workspace* workspace);
-  void StartRow(int row_in_group, Workspace* workspace) const;
-  void RunStretch(int group, int row_in_group, int rows, int u_begin, int u_end,
-                  Workspace* workspace);
-  void Dispatch(const SweepStretch& stretch, int y, RightRow* right) const;
-  void FinishRow(int v, const RightRow& right) const;
+  void StartRow(int row, Workspace* workspace) const;
+  void RunStretch(const RowPlace& place, int u_begin, int u_end, Workspace* workspace);
+  StateLine<T> Above(const RowPlace& place, const Workspace& workspace) const;
+  StateLine<T> Current(const RowPlace& place, const Workspace& workspace) const;
+  void FollowPrior(int y, int x_begin, int x_end, SweepStretch<T>* stretch,
+                   Workspace* workspace) const;
+  void AddOutputs(int y, RightRowBuffer* right, SweepStretch<T>* stretch) const;
+  RightRow RightOf(RightRowBuffer* right) const;
+  void FinishRow(int y, RightRowBuffer* right) const;
 
   int ImageRow(int v) const { return job_.backward ? shape_.height - 1 - v : v; }
-  int Groups() const { return (shape_.height + kRowsPerGroup - 1) / kRowsPerGroup; }
+  int Groups() const { return (job_.end - job_.begin + kRowsPerGroup - 1) / kRowsPerGroup; }
   // Places of matches left of the right image, for negative disparities.
   int RightMargin() const { return shape_.min_disparity < 0 ? -shape_.min_disparity : 0; }
 
   SweepJob job_;
+  const StateLineBuffer<T>* before_ = nullptr;
+  StateLineBuffer<T>* after_ = nullptr;
   VolumeShape shape_;
-  std::array<StateLineBuffer, 2> boundaries_;
-  AlignedBuffer<std::uint16_t> start_;
+  std::array<T, 256> p2_{};
+  std::array<StateLineBuffer<T>, 2> boundaries_;
+  AlignedBuffer<T> start_;
   Progress progress_;
   std::vector<Workspace> workspaces_;
 };
+
+extern template class Sweep<std::uint8_t>;
+extern template class Sweep<std::uint16_t>;
 
 }  // namespace stereo_sgmp
 

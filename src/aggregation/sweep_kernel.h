@@ -8,9 +8,20 @@
 
 #include "aggregation/path_state.h"
 #include "aggregation/paths.h"
+#include "aggregation/winner_map.h"
 #include "prior/orientation_prior.h"
 
 namespace stereo_sgmp {
+
+// What one sweep does with the sums of its paths.
+enum class SweepKind {
+  kStates,  // nothing: only the messages between pixels matter
+  kFirst,   // stores them as the first half of S
+  // Adds the other half and leaves the costs for the second round of PathScheme::kFourTwice,
+  // C/2 + 0.12 (S - min S), at most the largest cost.
+  kSharpen,
+  kLast,  // adds the other half and reads the winners off S
+};
 
 // Where the last sweep leaves what it reads off S for the pixels of one row, by image x.
 struct WinnerRow {
@@ -20,58 +31,72 @@ struct WinnerRow {
   std::uint16_t* cost_above = nullptr;
   std::uint16_t* second = nullptr;
   std::uint16_t* uncertainty = nullptr;
-  // The smallest S met so far of each pixel x' of the right image, and its disparity index: the
-  // match of left pixel x at index k stands at [x_origin - x + k].
-  std::uint16_t* right_cost = nullptr;
-  std::uint16_t* right_winner = nullptr;
+};
+
+// The smallest S met so far of each pixel x' of the right image, and its disparity index. The
+// match of left pixel x at index k has the position x_origin - x + k; positions are dealt out in
+// turn to as many parts as the kernel keeps S in.
+struct RightRow {
+  std::uint16_t* cost = nullptr;
+  std::uint16_t* winner = nullptr;
+  std::ptrdiff_t part_size = 0;
   int x_origin = 0;
+
+  std::ptrdiff_t Offset(int position, int parts) const {
+    return position % parts * part_size + position / parts;
+  }
 };
 
 // A stretch of one row for a sweep. Pixels are numbered by u in sweep order; arrays that are
-// addressed by image x advance by x_step = +1 (forward) or -1 (backward) pixels.
+// addressed by image x advance by x_step = +1 (forward) or -1 (backward) pixels. T is the type of
+// messages, see PathSlot.
+template <class T>
 struct SweepStretch {
+  SweepKind kind = SweepKind::kFirst;
+  int paths = kPathsPerSweep;  // 4, or 2 for the axis directions only
   int u_begin = 0;
   int u_end = 0;
   int width = 0;
   int disparities = 0;
-  std::ptrdiff_t stride = 0;  // disparities padded, of `cost` and `sum`
+  std::ptrdiff_t stride = 0;  // disparities padded, of `cost`, `sum` and `sharpened`
   int x_step = 1;
   int x_first = 0;  // image x of u_begin
 
-  const std::uint8_t* cost = nullptr;    // C of the pixel u_begin
-  std::uint16_t* sum = nullptr;          // S of the pixel u_begin
+  const std::uint8_t* cost = nullptr;  // C of the pixel u_begin
+  // S of the pixel u_begin, in the kernel's own order; pixels stand in reverse, with -x_step.
+  std::uint16_t* sum = nullptr;
   std::uint16_t* minimum_sum = nullptr;  // sum over r of min_d L_r, of the pixel u_begin
 
-  bool has_above = false;  // false on the first row of the sweep
-  StateLine above;
-  StateLine current;
-  AcrossState* across = nullptr;
+  bool has_above = false;  // false on the first row of the image
+  StateLine<T> above;
+  StateLine<T> current;
+  AcrossState<T>* across = nullptr;
 
-  std::uint16_t p1 = 0;
-  const std::uint16_t* p2 = nullptr;                           // by contrast
+  T p1 = 0;
+  const T* p2 = nullptr;                                       // by contrast
   std::array<const std::uint8_t*, kPathsPerSweep> contrast{};  // of the pixel u_begin
   // The prior, or null; entry i of a row belongs to the i-th pixel of the stretch by image x.
   const std::array<JumpRow, kPathsPerSweep>* jumps = nullptr;
   int jump_slack = -1;
-  // Scratch: kPathsPerSweep slots for predecessors that moved, one slot of zeros for paths that
-  // start, one for S; each of PathSlot::Size().
-  std::uint16_t* moved = nullptr;
-  const std::uint16_t* start = nullptr;
+  // Scratch: kPathsPerSweep slots for messages that moved, one slot of zeros for paths that
+  // start, room for S of a pixel.
+  T* moved = nullptr;
+  const T* start = nullptr;
   std::uint16_t* total = nullptr;
+
+  std::uint16_t unit = 1;             // of the costs; what is read off S is multiplied by it
+  std::uint8_t* sharpened = nullptr;  // kSharpen: by image x like `cost`
+  WinnerRow winners;                  // kLast
+  RightRow right;                     // kLast
 };
 
-// First sweep: S = sum of its paths. kPaths is 4 or 2.
-template <int kPaths>
-void SweepFirst(const SweepStretch& stretch);
+void SweepPixels(const SweepStretch<std::uint8_t>& stretch);
+void SweepPixels(const SweepStretch<std::uint16_t>& stretch);
 
-// Last sweep: adds its paths to S and reads the winners off it; S itself is left unfinished.
-template <int kPaths>
-void SweepLast(const SweepStretch& stretch, const WinnerRow& winners);
-
-// Last sweep of the first round of PathScheme::kFourTwice: instead of winners it leaves the costs
-// for the second round, min(255, C/2 + 0.12 (S - min S)), by image x like `cost`.
-template <int kPaths>
-void SweepSharpen(const SweepStretch& stretch, std::uint8_t* sharpened);
+// Winners of `count` pixels of the right image from position `first` on, falling, as positions
+// fall with x' rising; WinnerMap::kNone where no left pixel can match. T as in SweepPixels.
+template <class T>
+void ReadRightWinners(const RightRow& right, int first, int count, std::uint16_t* winners);
 
 }  // namespace stereo_sgmp
 

@@ -9,21 +9,22 @@
 
 namespace stereo_sgmp {
 
+// Bytes for SIMD kernels, aligned to 64; null where there are none. Large pieces ask for large
+// pages: volumes are walked through from end to end, and fresh ones are cleared page by page.
+void* AllocateAligned(std::size_t bytes);
+
 // Uninitialised memory for SIMD kernels that grows when asked and is reused otherwise.
 template <class T>
 class AlignedBuffer {
   static_assert(std::is_trivially_copyable_v<T>);
 
  public:
-  static constexpr std::size_t kAlignment = 64;
-
   // Makes room for `count` values; their content is unspecified.
   void Resize(std::size_t count) {
     if (count > capacity_) {
       memory_.reset();
       capacity_ = 0;
-      const std::size_t bytes = (count * sizeof(T) + kAlignment - 1) / kAlignment * kAlignment;
-      void* memory = std::aligned_alloc(kAlignment, bytes);
+      void* memory = AllocateAligned(count * sizeof(T));
       if (memory == nullptr) throw std::bad_alloc();
       memory_.reset(static_cast<T*>(memory));
       capacity_ = count;

@@ -47,7 +47,7 @@ void CoarsePass::Run(const Options& options, const ImagePair& full, ThreadPool* 
   AggregationOptions aggregation = options.aggregation;
   aggregation.scheme = PathScheme::kEight;
   const cv::Mat& guide = aggregation.color_guide ? images_.left_color() : images_.left_gray();
-  aggregator_.Run(costs, guide, aggregation, PathPrior(), pool, &winners_);
+  aggregator_.Run(costs, guide, aggregation, PathPrior(), 0, pool, &winners_);
   RefineSubpixel(winners_, Subpixel::kParabola, &disparity_, pool);
   confident_.Select(winners_.uncertainty, disparity_, winners_.right_winner, shape.min_disparity,
                     options.prior.keep_quantile);

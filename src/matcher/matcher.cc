@@ -76,7 +76,7 @@ class Matcher::Impl {
     clock.Mark("cost");
     const cv::Mat& guide =
         options_.aggregation.color_guide ? images_.left_color() : images_.left_gray();
-    aggregator_.Run(costs, guide, options_.aggregation, prior, pool_.get(), &winners_);
+    aggregator_.Run(costs, guide, options_.aggregation, prior, 0, pool_.get(), &winners_);
     clock.Mark("aggregation");
     refiner_.Run(winners_, images_.left_color(), options_, pool_.get(), result);
     clock.Mark("refinement");

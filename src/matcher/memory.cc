@@ -52,7 +52,9 @@ std::size_t AggregationMemory(const Options& options, const VolumeShape& shape, 
   const int threads = options.threads > 0
                           ? options.threads
                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  return Aggregator::Memory(shape, scheme, threads);
+  AggregationOptions aggregation = options.aggregation;
+  aggregation.scheme = scheme;
+  return Aggregator::Memory(shape, aggregation, 1, threads, 0);
 }
 
 // Of what a variant's prior holds besides the masks and labels of all of them.

@@ -18,6 +18,7 @@ class ReferenceCosts : public CostRows {
  public:
   explicit ReferenceCosts(const reference::Volume& volume) : volume_(volume) {}
   const VolumeShape& shape() const override { return volume_.shape; }
+  int unit() const override { return volume_.unit; }
   const std::uint8_t* Row(int y, int x_begin, int x_end, std::uint8_t* scratch) const override {
     for (int x = x_begin; x < x_end; ++x) {
       for (int d = 0; d < volume_.shape.Stride(); ++d) {
@@ -72,13 +73,16 @@ struct Case {
   int min_disparity;
 };
 
-reference::Volume RandomVolume(const Case& size, unsigned seed) {
+reference::Volume RandomVolume(const Case& size, unsigned seed, int unit = 1) {
   std::mt19937 random(seed);
   reference::Volume volume;
   volume.shape = {size.width, size.height, size.disparities, size.min_disparity};
   volume.costs.resize(static_cast<std::size_t>(size.width * size.height * size.disparities));
   // Few values, so that ties happen.
-  for (std::uint8_t& cost : volume.costs) cost = static_cast<std::uint8_t>(random() % 16 * 17);
+  for (std::uint8_t& cost : volume.costs) {
+    cost = static_cast<std::uint8_t>(random() % 16 * 17 / static_cast<unsigned>(unit));
+  }
+  volume.unit = unit;
   return volume;
 }
 
@@ -117,9 +121,9 @@ void ExpectSame(const WinnerMap& got, const WinnerMap& expected) {
   ExpectSame(got.right_winner, expected.right_winner, "right winner");
 }
 
-constexpr Case kSizes[] = {{1, 1, 1, 0},    {1, 9, 2, 0},   {7, 1, 5, -2},  {5, 4, 31, 0},
-                           {33, 6, 32, 0},  {40, 9, 33, 3}, {70, 5, 65, 0}, {65, 11, 20, -9},
-                           {31, 8, 64, 40}, {3, 13, 130, 0}};
+constexpr Case kSizes[] = {{1, 1, 1, 0},    {1, 9, 2, 0},    {7, 1, 5, -2},  {5, 4, 31, 0},
+                           {33, 6, 32, 0},  {40, 9, 33, 3},  {70, 5, 65, 0}, {65, 11, 20, -9},
+                           {31, 8, 64, 40}, {3, 13, 130, 0}, {4, 5, 320, 0}, {3, 4, 400, 1}};
 
 class AggregatorTest : public ::testing::Test {
  protected:
@@ -130,8 +134,8 @@ class AggregatorTest : public ::testing::Test {
     const FunctionPrior prior(volume.shape, jump);
     WinnerMap winners;
     aggregator_.Run(costs, guide, options_,
-                    PathPrior{jump ? &prior : nullptr, jump ? &prior : nullptr, slack}, &pool,
-                    &winners);
+                    PathPrior{jump ? &prior : nullptr, jump ? &prior : nullptr, slack}, strip_rows_,
+                    &pool, &winners);
     return winners;
   }
 
@@ -140,7 +144,7 @@ class AggregatorTest : public ::testing::Test {
     for (const Case& size : kSizes) {
       SCOPED_TRACE(::testing::Message() << size.width << "x" << size.height << "x"
                                         << size.disparities << " from " << size.min_disparity);
-      const reference::Volume volume = RandomVolume(size, seed);
+      const reference::Volume volume = RandomVolume(size, seed, unit_);
       const cv::Mat guide = RandomGuide(size, seed % 2 == 0 ? CV_8UC1 : CV_8UC3, seed);
       ++seed;
       const WinnerMap expected = reference::Aggregate(volume, guide, options_, jump, slack);
@@ -150,8 +154,12 @@ class AggregatorTest : public ::testing::Test {
   }
 
   AggregationOptions options_;
+  int unit_ = 1;        // 1: path costs of 16 bits; kBytes: of 8
+  int strip_rows_ = 0;  // all
   Aggregator aggregator_;
 };
+
+constexpr int kBytes = 7;
 
 const reference::JumpFunction kOneJump = [](int x, int y, PathStep step, int) {
   return SomeJump(x, y, step, 0);
@@ -160,21 +168,47 @@ const reference::JumpFunction kSeveralJumps = [](int x, int y, PathStep step, in
   return SomeJump(x, y, step, d / 11);
 };
 
-TEST_F(AggregatorTest, EqualsTheFormulasWithoutPrior) { ExpectReference(nullptr, -1); }
+TEST_F(AggregatorTest, EqualsTheFormulasWithoutPrior) {
+  for (const int unit : {1, kBytes}) {
+    unit_ = unit;
+    ExpectReference(nullptr, -1);
+  }
+}
 
 TEST_F(AggregatorTest, EqualsTheFormulasWithA2dPrior) {
-  ExpectReference(kOneJump, -1);
-  ExpectReference(kOneJump, 15);
+  for (const int unit : {1, kBytes}) {
+    unit_ = unit;
+    ExpectReference(kOneJump, -1);
+    ExpectReference(kOneJump, 15);
+  }
 }
 
 TEST_F(AggregatorTest, EqualsTheFormulasWithA3dPrior) {
-  ExpectReference(kSeveralJumps, -1);
-  ExpectReference(kSeveralJumps, 15);
+  for (const int unit : {1, kBytes}) {
+    unit_ = unit;
+    ExpectReference(kSeveralJumps, -1);
+    ExpectReference(kSeveralJumps, 15);
+  }
 }
 
 TEST_F(AggregatorTest, EqualsTheFormulasWithFourPathsTwice) {
   options_.scheme = PathScheme::kFourTwice;
-  ExpectReference(nullptr, -1);
+  for (const int unit : {1, kBytes}) {
+    unit_ = unit;
+    ExpectReference(nullptr, -1);
+    ExpectReference(kSeveralJumps, 15);
+  }
+}
+
+TEST_F(AggregatorTest, EqualsTheFormulasInStrips) {
+  for (const int unit : {1, kBytes}) {
+    unit_ = unit;
+    for (const int rows : {1, 4, 5}) {
+      strip_rows_ = rows;
+      ExpectReference(kSeveralJumps, 15);
+    }
+  }
+  options_.scheme = PathScheme::kFourTwice;
   ExpectReference(kSeveralJumps, 15);
 }
 
@@ -182,9 +216,30 @@ TEST_F(AggregatorTest, EverySimdTargetGivesTheSameBits) {
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     SCOPED_TRACE(hwy::TargetName(target));
     hwy::SetSupportedTargetsForTest(target);
-    ExpectReference(kSeveralJumps, 15);
+    for (const int unit : {1, kBytes}) {
+      unit_ = unit;
+      ExpectReference(kSeveralJumps, 15);
+      options_.scheme = PathScheme::kFourTwice;
+      ExpectReference(kSeveralJumps, 15);
+      options_.scheme = PathScheme::kEight;
+    }
   }
   hwy::SetSupportedTargetsForTest(0);
+}
+
+TEST_F(AggregatorTest, StripsKeepToTheLimitWhereAnyDo) {
+  const VolumeShape shape{400, 300, 64, 0};
+  constexpr int kThreads = 2;
+  const auto memory = [&](int rows) {
+    return Aggregator::Memory(shape, options_, kBytes, kThreads, rows);
+  };
+  EXPECT_EQ(Aggregator::StripRows(shape, options_, kBytes, kThreads, memory(0)), 0);
+  const std::size_t limit = memory(0) / 2;
+  const int rows = Aggregator::StripRows(shape, options_, kBytes, kThreads, limit);
+  EXPECT_LE(memory(rows), limit);
+  EXPECT_GT(memory(rows + 1), limit);
+  const int fewest = Aggregator::StripRows(shape, options_, kBytes, kThreads, 1);
+  for (int other = 1; other < shape.height; ++other) EXPECT_LE(memory(fewest), memory(other));
 }
 
 TEST_F(AggregatorTest, JumpsOfZeroChangeNothing) {

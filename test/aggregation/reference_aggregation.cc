@@ -36,7 +36,12 @@ class Aggregation {
  public:
   Aggregation(const Volume& volume, const cv::Mat& guide, const AggregationOptions& options,
               JumpFunction jump, int slack)
-      : volume_(volume), guide_(guide), options_(options), jump_(std::move(jump)), slack_(slack) {}
+      : volume_(volume),
+        guide_(guide),
+        options_(options),
+        jump_(std::move(jump)),
+        p1_(InUnits(options.p1)),
+        slack_(slack < 0 ? -1 : InUnits(slack)) {}
 
   Sums Sum(const std::vector<PathStep>& steps) const {
     const auto pixels = static_cast<std::size_t>(volume_.shape.width * volume_.shape.height);
@@ -68,40 +73,53 @@ class Aggregation {
     }
   }
 
-  // Eq. 3, less the predecessor's minimum, with V_S(d, d') = V(d + j(d), d') (Eqs. 8 and 12), or
-  // V(d, d') + slack where that is less.
+  int InUnits(double value) const { return static_cast<int>(std::lround(value / volume_.unit)); }
+
+  // Eq. 3, less the predecessor's minimum, with V_S (Eqs. 8 and 12) as the least way from d to d':
+  // a step to some t at the predecessor and the free jump j(t) from there, a step alone for the
+  // price of the slack, or P2.
   Costs PathCosts(int x, int y, PathStep step, const Costs* predecessor) const {
-    const int disparities = volume_.shape.disparities;
-    Costs costs(static_cast<std::size_t>(disparities));
-    int p2 = 0;
-    int minimum = 0;
-    if (predecessor != nullptr) {
-      const int contrast = ContrastOf(guide_, x, y, x - step.dx, y - step.dy);
-      p2 = static_cast<int>(
-          std::lround(options_.p1 * (1.0 + options_.alpha * std::exp(-contrast / options_.beta))));
-      minimum = *std::min_element(predecessor->begin(), predecessor->end());
+    const auto disparities = static_cast<std::size_t>(volume_.shape.disparities);
+    if (predecessor == nullptr) return AddCosts(x, y, Costs(disparities, 0), 0);
+    const int contrast = ContrastOf(guide_, x, y, x - step.dx, y - step.dy);
+    const int p2 =
+        InUnits(options_.p1 * (1.0 + options_.alpha * std::exp(-contrast / options_.beta)));
+    const int minimum = *std::min_element(predecessor->begin(), predecessor->end());
+    Costs best(disparities, minimum + p2);
+    for (int t = 0; t < volume_.shape.disparities; ++t) {
+      const int stepped = AfterStep(*predecessor, t, p2);
+      const int j = jump_ ? jump_(x, y, step, t) : 0;
+      if (t + j >= 0 && t + j < volume_.shape.disparities) Lower(stepped, t + j, &best);
+      if (slack_ >= 0) Lower(stepped + slack_, t, &best);
     }
-    for (int to = 0; to < disparities; ++to) {
-      int best = 0;
-      if (predecessor != nullptr) {
-        best = std::numeric_limits<int>::max();
-        for (int from = 0; from < disparities; ++from) {
-          const int j = jump_ ? jump_(x, y, step, from) : 0;
-          int smoothness = V(from + j, to, options_.p1, p2);
-          if (slack_ >= 0) smoothness = std::min(smoothness, V(from, to, options_.p1, p2) + slack_);
-          smoothness = std::min(smoothness, p2);
-          best = std::min(best, (*predecessor)[static_cast<std::size_t>(from)] + smoothness);
-        }
-      }
-      costs[static_cast<std::size_t>(to)] = volume_.At(x, y, to) + best - minimum;
+    return AddCosts(x, y, best, minimum);
+  }
+
+  int AfterStep(const Costs& predecessor, int t, int p2) const {
+    int least = std::numeric_limits<int>::max();
+    for (int from = 0; from < volume_.shape.disparities; ++from) {
+      least = std::min(least, predecessor[static_cast<std::size_t>(from)] + V(from, t, p1_, p2));
     }
-    return costs;
+    return least;
+  }
+
+  static void Lower(int cost, int d, Costs* costs) {
+    int& entry = (*costs)[static_cast<std::size_t>(d)];
+    entry = std::min(entry, cost);
+  }
+
+  Costs AddCosts(int x, int y, Costs best, int minimum) const {
+    for (int d = 0; d < volume_.shape.disparities; ++d) {
+      best[static_cast<std::size_t>(d)] += volume_.At(x, y, d) - minimum;
+    }
+    return best;
   }
 
   const Volume& volume_;
   const cv::Mat& guide_;
   const AggregationOptions& options_;
   JumpFunction jump_;
+  int p1_;
   int slack_;
 };
 
@@ -115,15 +133,15 @@ Volume Sharpen(const Volume& volume, const Sums& sums) {
       const int raised = std::min(s[d] - best, 2114) * 31 / 256;
       const int half = volume.costs[pixel * disparities + d] / 2;
       sharpened.costs[pixel * disparities + d] =
-          static_cast<std::uint8_t>(std::min(255, half + raised));
+          static_cast<std::uint8_t>(std::min(255 / volume.unit, half + raised));
     }
   }
   return sharpened;
 }
 
-std::uint16_t CostOrNone(const Costs& s, int d) {
+std::uint16_t CostOrNone(const Costs& s, int d, int unit) {
   if (d < 0 || d >= static_cast<int>(s.size())) return WinnerMap::kNone;
-  return static_cast<std::uint16_t>(s[static_cast<std::size_t>(d)]);
+  return static_cast<std::uint16_t>(s[static_cast<std::size_t>(d)] * unit);
 }
 
 void FindWinners(const Volume& volume, const Sums& sums, WinnerMap* map) {
@@ -136,9 +154,12 @@ void FindWinners(const Volume& volume, const Sums& sums, WinnerMap* map) {
       const auto pixel = static_cast<std::size_t>(y * shape.width + x);
       const Costs& s = sums.s[pixel];
       const int winner = static_cast<int>(std::min_element(s.begin(), s.end()) - s.begin());
-      int second = WinnerMap::kNone;
+      int second = -1;
       for (int d = 0; d < shape.disparities; ++d) {
-        if (std::abs(d - winner) > 1) second = std::min(second, s[static_cast<std::size_t>(d)]);
+        const bool is_near = std::abs(d - winner) <= 1;
+        if (!is_near &&
+            (second < 0 || s[static_cast<std::size_t>(d)] < s[static_cast<std::size_t>(second)]))
+          second = d;
         const int right_x = x - shape.min_disparity - d;
         if (right_x < 0 || right_x >= shape.width) continue;
         int& best = right_cost(y, right_x);
@@ -149,12 +170,12 @@ void FindWinners(const Volume& volume, const Sums& sums, WinnerMap* map) {
         }
       }
       map->winner(y, x) = static_cast<std::uint16_t>(winner);
-      map->cost(y, x) = CostOrNone(s, winner);
-      map->cost_below(y, x) = CostOrNone(s, winner - 1);
-      map->cost_above(y, x) = CostOrNone(s, winner + 1);
-      map->second(y, x) = static_cast<std::uint16_t>(second);
-      map->uncertainty(y, x) =
-          static_cast<std::uint16_t>(s[static_cast<std::size_t>(winner)] - sums.minimum_sum[pixel]);
+      map->cost(y, x) = CostOrNone(s, winner, volume.unit);
+      map->cost_below(y, x) = CostOrNone(s, winner - 1, volume.unit);
+      map->cost_above(y, x) = CostOrNone(s, winner + 1, volume.unit);
+      map->second(y, x) = CostOrNone(s, second, volume.unit);
+      map->uncertainty(y, x) = CostOrNone(
+          {s[static_cast<std::size_t>(winner)] - sums.minimum_sum[pixel]}, 0, volume.unit);
     }
   }
 }

@@ -18,6 +18,7 @@ namespace stereo_sgmp::reference {
 struct Volume {
   VolumeShape shape;
   std::vector<std::uint8_t> costs;
+  int unit = 1;  // as CostRows::unit
 
   int At(int x, int y, int d) const {
     return costs[(static_cast<std::size_t>(y) * static_cast<std::size_t>(shape.width) +

@@ -1,0 +1,141 @@
+// Lane operations of the aggregation that Highway does not have, for every SIMD target.
+#if defined(STEREO_SGMP_AGGREGATION_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef STEREO_SGMP_AGGREGATION_LANES_INL_H_
+#undef STEREO_SGMP_AGGREGATION_LANES_INL_H_
+#else
+#define STEREO_SGMP_AGGREGATION_LANES_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace stereo_sgmp {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class T>
+using Tag = hn::ScalableTag<T>;
+template <class T>
+using Lanes = hn::Vec<Tag<T>>;
+using Tag16 = Tag<std::uint16_t>;
+using Lanes16 = Lanes<std::uint16_t>;
+
+template <class T>
+inline constexpr int kLanes = static_cast<int>(hn::MaxLanes(Tag<T>()));
+
+// Smallest lane. Halves down to 128 bits first, where x86 and Arm have an instruction for 16 bits.
+template <class D>
+HWY_INLINE hn::TFromD<D> SmallestLane(D d, hn::Vec<D> v) {
+#if HWY_TARGET == HWY_SCALAR
+  (void)d;
+  return hn::GetLane(v);
+#else
+  using T = hn::TFromD<D>;
+  if constexpr (hn::MaxLanes(D()) * sizeof(T) > 16) {
+    const hn::Half<D> half;
+    return SmallestLane(half, hn::Min(hn::LowerHalf(half, v), hn::UpperHalf(half, v)));
+  } else if constexpr (sizeof(T) == 1) {
+    // The smaller byte of each pair, as a 16-bit number.
+    const hn::Repartition<std::uint16_t, D> d16;
+    const auto upper = hn::BitCast(d, hn::ShiftRight<8>(hn::BitCast(d16, v)));
+    const auto smaller = hn::BitCast(d16, hn::Min(v, upper));
+    return static_cast<T>(hn::GetLane(hn::MinOfLanes(d16, smaller)));
+  } else {
+    return hn::GetLane(hn::MinOfLanes(d, v));
+  }
+#endif
+}
+
+// Lane i becomes lane i + 1; the lowest comes from the highest of `below`.
+template <class T>
+HWY_INLINE Lanes<T> FromBelow(Lanes<T> below, Lanes<T> v) {
+#if HWY_TARGET == HWY_SCALAR
+  (void)v;
+  return below;
+#else
+  const Tag<T> d;
+#if HWY_TARGET <= HWY_AVX3
+  const Lanes<T> blocks{_mm512_alignr_epi64(v.raw, below.raw, 6)};
+#elif HWY_TARGET == HWY_AVX2
+  const Lanes<T> blocks = hn::ConcatLowerUpper(d, v, below);
+#else
+  const Lanes<T> blocks = below;
+#endif
+  return hn::CombineShiftRightBytes<16 - sizeof(T)>(d, v, blocks);
+#endif
+}
+
+// Lane i becomes lane i - 1; the highest comes from the lowest of `above`.
+template <class T>
+HWY_INLINE Lanes<T> FromAbove(Lanes<T> v, Lanes<T> above) {
+#if HWY_TARGET == HWY_SCALAR
+  (void)v;
+  return above;
+#else
+  const Tag<T> d;
+#if HWY_TARGET <= HWY_AVX3
+  const Lanes<T> blocks{_mm512_alignr_epi64(above.raw, v.raw, 2)};
+#elif HWY_TARGET == HWY_AVX2
+  const Lanes<T> blocks = hn::ConcatLowerUpper(d, above, v);
+#else
+  const Lanes<T> blocks = above;
+#endif
+  return hn::CombineShiftRightBytes<sizeof(T)>(d, blocks, v);
+#endif
+}
+
+// All bits of the lanes from `count` on; none of those before.
+template <class T>
+HWY_INLINE Lanes<T> TailBits(int count) {
+  const Tag<T> d;
+  return hn::VecFromMask(d, hn::Not(hn::FirstN(d, static_cast<std::size_t>(count))));
+}
+
+// Sums of path costs over paths, 16 bits each, of one vector of T. Bytes are summed as pairs:
+// their even lanes form part 0 and their odd lanes part 1, in order; 16-bit costs have one part.
+template <class T>
+struct SumLayout {
+  static constexpr int kParts = sizeof(T) == 1 && HWY_TARGET != HWY_SCALAR ? 2 : 1;
+};
+
+template <class T>
+class PathSum {
+ public:
+  static constexpr int kParts = SumLayout<T>::kParts;
+
+  PathSum() : pairs_(hn::Zero(Tag16())), odd_(hn::Zero(Tag16())) {}
+
+  HWY_INLINE void Add(Lanes<T> costs) {
+    const Tag16 d;
+    if constexpr (kParts == 2) {
+      const Lanes16 pairs = hn::BitCast(d, costs);
+      pairs_ = hn::Add(pairs_, pairs);
+      odd_ = hn::Add(odd_, hn::ShiftRight<8>(pairs));
+    } else if constexpr (sizeof(T) == 1) {
+      pairs_ = hn::Add(pairs_, hn::PromoteTo(d, costs));
+    } else {
+      pairs_ = hn::Add(pairs_, costs);
+    }
+  }
+
+  template <int kPart>
+  HWY_INLINE Lanes16 Part() const {
+    if constexpr (kPart == 1) return odd_;
+    // The odd lanes count 256 each in the pairs; what exceeds 16 bits is theirs.
+    if constexpr (kParts == 2) return hn::Sub(pairs_, hn::ShiftLeft<8>(odd_));
+    return pairs_;
+  }
+
+ private:
+  Lanes16 pairs_;
+  Lanes16 odd_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace stereo_sgmp
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

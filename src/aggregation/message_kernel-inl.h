@@ -1,0 +1,111 @@
+// One pixel's step of several paths: path costs from the messages of the predecessors (Eq. 3),
+// and the messages to the next pixels.
+#if defined(STEREO_SGMP_AGGREGATION_MESSAGE_KERNEL_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef STEREO_SGMP_AGGREGATION_MESSAGE_KERNEL_INL_H_
+#undef STEREO_SGMP_AGGREGATION_MESSAGE_KERNEL_INL_H_
+#else
+#define STEREO_SGMP_AGGREGATION_MESSAGE_KERNEL_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstdint>
+
+#include "aggregation/lanes-inl.h"
+#include "aggregation/path_state.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace stereo_sgmp {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Number of vectors of a pixel that is not known at compile time.
+inline constexpr int kAnyVectors = 0;
+
+// Disparities of a pixel as vectors. With `kVectors` known, loops over it unroll, and what a loop
+// leaves for the next stays in registers.
+template <class T, int kVectors>
+struct PixelShape {
+  static constexpr int kMaxDisparities = 2048;
+  static constexpr int kMost =
+      kVectors != kAnyVectors ? kVectors : (kMaxDisparities + kLanes<T> - 1) / kLanes<T>;
+
+  int vectors = 0;
+  Lanes<T> tail;  // of the last vector: all bits of the lanes beyond the last disparity
+
+  explicit PixelShape(int disparities)
+      : vectors((disparities + kLanes<T> - 1) / kLanes<T>),
+        tail(TailBits<T>(disparities - (vectors - 1) * kLanes<T>)) {}
+
+  int Count() const { return kVectors != kAnyVectors ? kVectors : vectors; }
+};
+
+// One path at one pixel: the message it receives, and where the one it sends goes.
+template <class T>
+struct PathStepState {
+  const T* received;
+  T* sent;
+  T p2;
+};
+
+template <class T>
+HWY_INLINE Lanes<T> LoadCosts(const std::uint8_t* cost) {
+  const Tag<T> d;
+  if constexpr (sizeof(T) == 1) {
+    return hn::Load(d, cost);
+  } else {
+    const hn::Rebind<std::uint8_t, Tag<T>> narrow;
+    return hn::PromoteTo(d, hn::Load(narrow, cost));
+  }
+}
+
+// Sends the message of the path costs `l`, whose minimum is `smallest`.
+template <class T, int kVectors>
+HWY_INLINE void Send(const PixelShape<T, kVectors>& shape, const Lanes<T>* l, Lanes<T> smallest,
+                     Lanes<T> p1, T* sent) {
+  const Tag<T> d;
+  const Lanes<T> unreachable = hn::Set(d, PathSlot<T>::kUnreachable);
+  const int last = shape.Count() - 1;
+  for (int v = 0; v <= last; ++v) {
+    const Lanes<T> above = FromAbove<T>(l[v], v < last ? l[v + 1] : unreachable);
+    const Lanes<T> below = FromBelow<T>(v > 0 ? l[v - 1] : unreachable, l[v]);
+    const Lanes<T> step = hn::SaturatedAdd(hn::Min(below, above), p1);
+    Lanes<T> message = hn::Sub(hn::Min(l[v], step), smallest);
+    if (v == last) message = hn::Or(message, shape.tail);
+    hn::Store(message, d, sent + v * kLanes<T>);
+  }
+}
+
+// Advances kPaths paths to one pixel. `sums` receives the sum of their costs, vector by vector.
+// Returns the sum of min_d L_r.
+template <class T, int kPaths, int kVectors>
+HWY_INLINE int AdvancePaths(const PixelShape<T, kVectors>& shape,
+                            const PathStepState<T> (&paths)[kPaths], const std::uint8_t* cost,
+                            T p1_cost, PathSum<T>* sums) {
+  const Tag<T> d;
+  const int last = shape.Count() - 1;
+  const Lanes<T> p1 = hn::Set(d, p1_cost);
+  Lanes<T> l[PixelShape<T, kVectors>::kMost];
+  int minimum_sum = 0;
+  for (int i = 0; i < kPaths; ++i) {
+    const Lanes<T> p2 = hn::Set(d, paths[i].p2);
+    Lanes<T> least = hn::Set(d, PathSlot<T>::kUnreachable);
+    for (int v = 0; v <= last; ++v) {
+      const Lanes<T> received = hn::LoadU(d, paths[i].received + v * kLanes<T>);
+      l[v] = hn::Add(LoadCosts<T>(cost + v * kLanes<T>), hn::Min(received, p2));
+      if (v == last) l[v] = hn::Or(l[v], shape.tail);
+      least = hn::Min(least, l[v]);
+      sums[v].Add(l[v]);
+    }
+    const T smallest = SmallestLane(d, least);
+    minimum_sum += smallest;
+    Send<T, kVectors>(shape, l, hn::Set(d, smallest), p1, paths[i].sent);
+  }
+  return minimum_sum;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace stereo_sgmp
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard
