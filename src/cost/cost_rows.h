@@ -24,12 +24,16 @@ struct VolumeShape {
   }
 };
 
-// A source of matching costs, 0 (match) to 255, from whatever makes them: computed when asked
-// for, stored, or read from a file. Implementations are safe to call from several threads.
+// A source of matching costs, 0 (match) to 255 / unit(), from whatever makes them: computed when
+// asked for, stored, or read from a file. Implementations are safe to call from several threads.
 class CostRows {
  public:
   virtual ~CostRows() = default;
   virtual const VolumeShape& shape() const = 0;
+
+  // What a cost of 1 stands for in the units of the options, where the largest cost is 255: 1 for
+  // full costs; more for compact ones, which leave room for penalties in 8 bits.
+  virtual int unit() const { return 1; }
 
   // Costs of the pixels [x_begin, x_end) of row y: cost of pixel x at disparity index k stands
   // at [(x - x_begin) * Stride() + k]. Entries with k >= disparities are unspecified. The
