@@ -69,8 +69,8 @@ TEST(NccCostTest, EqualsScalarReferenceOnAllTargets) {
 TEST(NccCostTest, VerticalToleranceTakesTheMinimumOfThreeRows) {
   ThreadPool pool(2);
   NccCost cost;
-  for (const VolumeShape& shape :
-       {VolumeShape{1, 1, 4, -1}, VolumeShape{33, 2, 20, 0}, VolumeShape{70, 9, 65, -4}}) {
+  for (const VolumeShape& shape : {VolumeShape{1, 1, 4, -1}, VolumeShape{33, 2, 20, 0},
+                                   VolumeShape{70, 9, 65, -4}, VolumeShape{65, 4, 300, -9}}) {
     const cv::Mat left = RandomGray(shape.width, shape.height, 3);
     const cv::Mat right = RandomGray(shape.width, shape.height, 4);
     ForEachTarget([&] {
