@@ -1,6 +1,7 @@
 #include "cost/census_cost.h"
 
 #include "cost/census_cost_kernel.h"
+#include "cost/cost_unit.h"
 
 namespace stereo_sgmp {
 namespace {
@@ -12,8 +13,10 @@ CensusShape ShapeOf(CensusWindow window) {
 }  // namespace
 
 void CensusCost::Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape,
-                         CensusWindow window, ThreadPool* pool) {
+                         CensusWindow window, int unit, ThreadPool* pool) {
+  CheckCostUnit(unit);
   shape_ = shape;
+  unit_ = unit;
   window_ = window;
   const CensusShape census = ShapeOf(window);
   left_image_.Assign(left, Orientation::kNatural);
@@ -30,7 +33,7 @@ void CensusCost::Prepare(const cv::Mat& left, const cv::Mat& right, const Volume
 
 const std::uint8_t* CensusCost::Row(int y, int x_begin, int x_end, std::uint8_t* scratch) const {
   const auto compute = window_ == CensusWindow::k5x5 ? Census5x5CostRow : Census9x7CostRow;
-  compute(left_.Row(y), right_.Row(y), shape_, x_begin, x_end, scratch);
+  compute(left_.Row(y), right_.Row(y), shape_, unit_, x_begin, x_end, scratch);
   return scratch;
 }
 

@@ -17,20 +17,22 @@ namespace stereo_sgmp {
 
 // Hamming distance of census transforms, scaled to the range of the other costs: 4 a bit for 9x7
 // (at most 248), 10 a bit for 5x5 (at most 240). Matches outside the right image cost half of
-// the maximum. Computed when asked for.
+// the maximum. Compact costs are the CompactCost of these. Computed when asked for.
 class CensusCost final : public CostRows {
  public:
-  // Images: CV_8UC1 of the size of the shape.
+  // Images: CV_8UC1 of the size of the shape. Throws std::invalid_argument for a unit out of range.
   void Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape,
-               CensusWindow window, ThreadPool* pool);
+               CensusWindow window, int unit, ThreadPool* pool);
 
   const VolumeShape& shape() const override { return shape_; }
+  int unit() const override { return unit_; }
   const std::uint8_t* Row(int y, int x_begin, int x_end, std::uint8_t* scratch) const override;
 
   static std::size_t Memory(const VolumeShape& shape, CensusWindow window);
 
  private:
   VolumeShape shape_;
+  int unit_ = 1;
   CensusWindow window_ = CensusWindow::k9x7;
   PaddedGray left_image_;
   PaddedGray right_image_;

@@ -12,6 +12,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "cost/compact-inl.h"
 #include "cost/hamming-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -31,12 +32,14 @@ HWY_INLINE V8 Scaled(V8 h) {
   return kScale == 4 ? h4 : hn::Add(hn::Add(h4, h4), h2);
 }
 
-template <int kBits, int kScale>
-HWY_INLINE void CensusStretch(FeatureRow left, FeatureRow right, const VolumeShape& shape,
+template <int kBits, int kScale, bool kCompact>
+HWY_INLINE void CensusStretch(FeatureRow left, FeatureRow right, const VolumeShape& shape, int unit,
                               int x_begin, int x_end, std::uint8_t* costs) {
   constexpr int kPlanes = (kBits + 7) / 8;
   const D8 d;
   const int lanes = static_cast<int>(hn::Lanes(d));
+  const CostDivider<D8> divide(unit);
+  const std::uint8_t outside_cost = CompactCost(kBits * kScale / 2, unit);
   for (int x = x_begin; x < x_end; ++x, costs += shape.Stride()) {
     // Copied, because stores to `costs` could change them for all the compiler knows.
     std::uint8_t census[kPlanes];
@@ -45,20 +48,31 @@ HWY_INLINE void CensusStretch(FeatureRow left, FeatureRow right, const VolumeSha
     const MatchSpan inside = InsideSpan(shape, x);
     for (int k = inside.begin / lanes * lanes; k < inside.end; k += lanes) {
       const V8 h = HammingDistance(d, census, matches + k, right.distance);
-      hn::Store(Scaled<kScale>(h), d, costs + k);
+      const V8 full = Scaled<kScale>(h);
+      hn::Store(kCompact ? divide(full) : full, d, costs + k);
     }
-    FillOutside(shape, inside, kBits * kScale / 2, costs);
+    FillOutside(shape, inside, outside_cost, costs);
   }
 }
 
-void Census5x5Stretch(FeatureRow left, FeatureRow right, const VolumeShape& shape, int x_begin,
-                      int x_end, std::uint8_t* costs) {
-  CensusStretch<kCensus5x5.Bits(), 10>(left, right, shape, x_begin, x_end, costs);
+template <int kBits, int kScale>
+void CensusStretchOfUnit(FeatureRow left, FeatureRow right, const VolumeShape& shape, int unit,
+                         int x_begin, int x_end, std::uint8_t* costs) {
+  if (unit == 1) {
+    CensusStretch<kBits, kScale, false>(left, right, shape, unit, x_begin, x_end, costs);
+  } else {
+    CensusStretch<kBits, kScale, true>(left, right, shape, unit, x_begin, x_end, costs);
+  }
 }
 
-void Census9x7Stretch(FeatureRow left, FeatureRow right, const VolumeShape& shape, int x_begin,
-                      int x_end, std::uint8_t* costs) {
-  CensusStretch<kCensus9x7.Bits(), 4>(left, right, shape, x_begin, x_end, costs);
+void Census5x5Stretch(FeatureRow left, FeatureRow right, const VolumeShape& shape, int unit,
+                      int x_begin, int x_end, std::uint8_t* costs) {
+  CensusStretchOfUnit<kCensus5x5.Bits(), 10>(left, right, shape, unit, x_begin, x_end, costs);
+}
+
+void Census9x7Stretch(FeatureRow left, FeatureRow right, const VolumeShape& shape, int unit,
+                      int x_begin, int x_end, std::uint8_t* costs) {
+  CensusStretchOfUnit<kCensus9x7.Bits(), 4>(left, right, shape, unit, x_begin, x_end, costs);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -71,14 +85,14 @@ namespace stereo_sgmp {
 HWY_EXPORT(Census5x5Stretch);
 HWY_EXPORT(Census9x7Stretch);
 
-void Census5x5CostRow(FeatureRow left, FeatureRow right, const VolumeShape& shape, int x_begin,
-                      int x_end, std::uint8_t* costs) {
-  HWY_DYNAMIC_DISPATCH(Census5x5Stretch)(left, right, shape, x_begin, x_end, costs);
+void Census5x5CostRow(FeatureRow left, FeatureRow right, const VolumeShape& shape, int unit,
+                      int x_begin, int x_end, std::uint8_t* costs) {
+  HWY_DYNAMIC_DISPATCH(Census5x5Stretch)(left, right, shape, unit, x_begin, x_end, costs);
 }
 
-void Census9x7CostRow(FeatureRow left, FeatureRow right, const VolumeShape& shape, int x_begin,
-                      int x_end, std::uint8_t* costs) {
-  HWY_DYNAMIC_DISPATCH(Census9x7Stretch)(left, right, shape, x_begin, x_end, costs);
+void Census9x7CostRow(FeatureRow left, FeatureRow right, const VolumeShape& shape, int unit,
+                      int x_begin, int x_end, std::uint8_t* costs) {
+  HWY_DYNAMIC_DISPATCH(Census9x7Stretch)(left, right, shape, unit, x_begin, x_end, costs);
 }
 
 }  // namespace stereo_sgmp

@@ -19,18 +19,18 @@ void CheckImage(const char* side, const cv::Mat& image, const VolumeShape& shape
 
 const CostRows& CostComputer::Prepare(const CostOptions& options, const cv::Mat& left,
                                       const cv::Mat& right, const VolumeShape& shape,
-                                      const RadiometricFit& fit, ThreadPool* pool) {
+                                      const RadiometricFit& fit, int unit, ThreadPool* pool) {
   CheckImage("left", left, shape);
   CheckImage("right", right, shape);
   switch (options.kind) {
     case CostKind::kNcc:
-      ncc_.Prepare(left, right, shape, options.ncc_epsilon, options.vertical_tolerance, pool);
+      ncc_.Prepare(left, right, shape, options.ncc_epsilon, options.vertical_tolerance, unit, pool);
       return ncc_;
     case CostKind::kCensus:
-      census_.Prepare(left, right, shape, options.census_window, pool);
+      census_.Prepare(left, right, shape, options.census_window, unit, pool);
       return census_;
     case CostKind::kMixed:
-      mixed_.Prepare(left, right, shape, fit, pool);
+      mixed_.Prepare(left, right, shape, fit, unit, pool);
       return mixed_;
   }
   throw std::invalid_argument("The matching cost is none of CostKind; use one that it lists.");

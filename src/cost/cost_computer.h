@@ -18,10 +18,12 @@ namespace stereo_sgmp {
 // The matching costs of a pair by the options; keeps the buffers of each kind between frames.
 class CostComputer {
  public:
-  // Images: CV_8UC1 of the size of `shape`; throws std::invalid_argument otherwise. `fit` serves
-  // the mixed cost only. The result is valid until the next call.
+  // Images: CV_8UC1 of the size of `shape`. `fit` serves the mixed cost only. `unit`: that of the
+  // costs, 1 (full costs) to kMaxCostUnit; the mixed cost has 1 and MixedCost::kCompactUnit only.
+  // Throws std::invalid_argument where they are not so. The result is valid until the next call.
   const CostRows& Prepare(const CostOptions& options, const cv::Mat& left, const cv::Mat& right,
-                          const VolumeShape& shape, const RadiometricFit& fit, ThreadPool* pool);
+                          const VolumeShape& shape, const RadiometricFit& fit, int unit,
+                          ThreadPool* pool);
 
  private:
   MixedCost mixed_;

@@ -31,8 +31,8 @@ class CostRows {
   virtual ~CostRows() = default;
   virtual const VolumeShape& shape() const = 0;
 
-  // What a cost of 1 stands for in the units of the options: 1, or more for compact costs, which
-  // leave room for path costs of 8 bits.
+  // What a cost of 1 stands for in the units of the options, where the largest cost is 255: 1 for
+  // full costs; more for compact ones, which leave room for penalties in 8 bits.
   virtual int unit() const { return 1; }
 
   // Costs of the pixels [x_begin, x_end) of row y: cost of pixel x at disparity index k stands

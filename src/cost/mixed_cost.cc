@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
+#include <stdexcept>
 
 #include "cost/census_transform.h"
 #include "cost/mixed_cost_kernel.h"
@@ -13,12 +15,13 @@ constexpr double kAdLimit = 30.0;
 
 using GrayTable = std::array<std::uint8_t, 256>;
 
-// gray -> weight (gain gray + offset). With both images weighted, their differences are too.
+// gray -> weight (gain gray + offset) - 128 as a signed byte. With both images weighted, their
+// differences are too.
 GrayTable WeightedGrays(double gain, double offset, double weight) {
   GrayTable table;
   for (std::size_t gray = 0; gray < table.size(); ++gray) {
     const double mapped = std::clamp(gain * static_cast<double>(gray) + offset, 0.0, 255.0);
-    table[gray] = cv::saturate_cast<std::uint8_t>(weight * mapped);
+    table[gray] = cv::saturate_cast<std::uint8_t>(weight * mapped) ^ 0x80;
   }
   return table;
 }
@@ -45,11 +48,21 @@ void Features(const PaddedGray& image, const GrayTable& table, int y, FeaturePla
   GradientFeatures(image, y, planes);
 }
 
+void CheckUnit(int unit) {
+  if (unit == 1 || unit == MixedCost::kCompactUnit) return;
+  std::ostringstream message;
+  message << "The unit of the mixed cost is " << unit << ", expected 1 (full costs) or "
+          << MixedCost::kCompactUnit << " (compact costs); use one of these.";
+  throw std::invalid_argument(message.str());
+}
+
 }  // namespace
 
 void MixedCost::Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape,
-                        const RadiometricFit& fit, ThreadPool* pool) {
+                        const RadiometricFit& fit, int unit, ThreadPool* pool) {
+  CheckUnit(unit);
   shape_ = shape;
+  unit_ = unit;
   ad_limit_ = cv::saturate_cast<std::uint8_t>(kAdLimit * fit.ad_weight);
   left_image_.Assign(left, Orientation::kNatural);
   right_image_.Assign(right, Orientation::kMirrored);
@@ -66,7 +79,8 @@ void MixedCost::Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeS
 }
 
 const std::uint8_t* MixedCost::Row(int y, int x_begin, int x_end, std::uint8_t* scratch) const {
-  MixedCostRow(left_.Row(y), right_.Row(y), shape_, ad_limit_, x_begin, x_end, scratch);
+  const auto compute = unit_ == kCompactUnit ? CompactMixedCostRow : FullMixedCostRow;
+  compute(left_.Row(y), right_.Row(y), shape_, ad_limit_, x_begin, x_end, scratch);
   return scratch;
 }
 

@@ -14,26 +14,34 @@
 
 namespace stereo_sgmp {
 
-// Census, absolute difference and gradient in one cost:
-//   C(d) = min(255, 7 h + floor(h / 4) + w min(30, |I_l - I_r'|)
-//                   + 10 min(10, |dx I_l - dx I_r| + |dy I_l - dy I_r|)).
+// Census, absolute difference and gradient in one cost, full (unit 1) or compact (unit 7):
+//   C(d) = min(255, 7 h + floor(h / 4) + ad + 10 g),
+//   C(d) = min(36, h + g + ceil((ad + 3 g) / 8)).
 // h: Hamming distance of 7x5 census transforms, which bear any change of exposure.
-// I_r' = gain I_r + offset and w = ad_weight: the radiometric fit.
-// dx I = I(x + 1, y) - I(x - 1, y), likewise dy, saturated to -128..127.
-// Matches outside the right image cost MixedFeatures::kOutsideCost. Computed when asked for.
+// ad = w min(30, |I_l - I_r'|) with I_r' = gain I_r + offset and w = ad_weight, the radiometric
+// fit. g = min(10, |dx I_l - dx I_r| + |dy I_l - dy I_r|), where dx I = I(x + 1, y) - I(x - 1, y),
+// likewise dy, saturated to -128..127.
+// Matches outside the right image cost what half of each of h, ad and g does. Computed when asked
+// for.
 class MixedCost final : public CostRows {
  public:
-  // Images: CV_8UC1 of the size of the shape.
+  // Of the compact costs.
+  static constexpr int kCompactUnit = 7;
+
+  // Images: CV_8UC1 of the size of the shape. Throws std::invalid_argument unless the unit is 1 or
+  // kCompactUnit.
   void Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape,
-               const RadiometricFit& fit, ThreadPool* pool);
+               const RadiometricFit& fit, int unit, ThreadPool* pool);
 
   const VolumeShape& shape() const override { return shape_; }
+  int unit() const override { return unit_; }
   const std::uint8_t* Row(int y, int x_begin, int x_end, std::uint8_t* scratch) const override;
 
   static std::size_t Memory(const VolumeShape& shape);
 
  private:
   VolumeShape shape_;
+  int unit_ = 1;
   std::uint8_t ad_limit_ = 0;
   PaddedGray left_image_;
   PaddedGray right_image_;

@@ -31,17 +31,22 @@ void SaturatedDifferencesOfRow(const std::uint8_t* after, const std::uint8_t* be
     // The sign bit flipped, both keep their difference as signed numbers.
     const auto a = hn::BitCast(ds, hn::Xor(hn::LoadU(d, after + x), sign));
     const auto b = hn::BitCast(ds, hn::Xor(hn::LoadU(d, before + x), sign));
-    hn::StoreU(hn::Xor(hn::BitCast(d, hn::SaturatedSub(a, b)), sign), d, differences + x);
+    hn::StoreU(hn::BitCast(d, hn::SaturatedSub(a, b)), d, differences + x);
   }
 }
 
+// min(|a - b|, 127 or 128) of signed bytes: exact up to the limits of all terms.
 HWY_INLINE V8 AbsoluteDifference(V8 a, V8 b) {
-  return hn::Or(hn::SaturatedSub(a, b), hn::SaturatedSub(b, a));
+  const D8 d;
+  const hn::RebindToSigned<D8> ds;
+  const auto difference = hn::SaturatedSub(hn::BitCast(ds, a), hn::BitCast(ds, b));
+  return hn::BitCast(d, hn::Abs(difference));  // the absolute value of -128 reads 128
 }
 
 // min(255, 7 h + floor(h / 4) + ad + 10 g) for h <= 34, ad <= 30, g <= 10 in bytes, as
 // u + (u + ad - ceil(3 h / 4)) with u = 4 (h + g) + g <= 186: only the last sum can exceed 255.
-HWY_INLINE V8 SumOfTerms(D8 d, V8 h, V8 ad, V8 g) {
+HWY_INLINE V8 SumOfTerms(FullMixedCost /*cost*/, V8 h, V8 ad, V8 g) {
+  const D8 d;
   const V8 t = hn::Add(h, g);
   const V8 t2 = hn::Add(t, t);
   const V8 u = hn::Add(hn::Add(t2, t2), g);
@@ -50,8 +55,19 @@ HWY_INLINE V8 SumOfTerms(D8 d, V8 h, V8 ad, V8 g) {
   return hn::SaturatedAdd(u, hn::Add(u, hn::Sub(ad, three_quarters)));
 }
 
+// min(36, h + g + ceil((ad + 3 g) / 8)): three averages, which round up, of ad, g, g and 2 (h + g)
+// give ceil((ad + g + 2 g + 8 (h + g)) / 8).
+HWY_INLINE V8 SumOfTerms(CompactMixedCost /*cost*/, V8 h, V8 ad, V8 g) {
+  const D8 d;
+  const V8 t = hn::Add(h, g);
+  const V8 eighths = hn::AverageRound(hn::AverageRound(ad, g), g);
+  return hn::Min(hn::AverageRound(eighths, hn::Add(t, t)),
+                 hn::Set(d, std::uint8_t{CompactMixedCost::kMax}));
+}
+
 // Costs of one left pixel at the disparity indices [begin, end), rounded out to whole vectors.
 // `right` stands at the column that index 0 matches.
+template <class Cost>
 void MixedCostPixel(FeatureRow left, FeatureRow right, std::uint8_t ad_limit, MatchSpan span,
                     std::uint8_t* costs) {
   using F = MixedFeatures;
@@ -74,19 +90,30 @@ void MixedCostPixel(FeatureRow left, FeatureRow right, std::uint8_t ad_limit, Ma
     const V8 dy =
         AbsoluteDifference(gradient_y, hn::LoadU(d, match + F::kGradientY * right.distance));
     const V8 gradient = hn::Min(hn::SaturatedAdd(dx, dy), gradient_limit);
-    hn::Store(SumOfTerms(d, h, hn::Min(ad, limit), gradient), d, costs + k);
+    hn::Store(SumOfTerms(Cost(), h, hn::Min(ad, limit), gradient), d, costs + k);
   }
 }
 
-void MixedCostStretch(FeatureRow left, FeatureRow right, const VolumeShape& shape,
-                      std::uint8_t ad_limit, int x_begin, int x_end, std::uint8_t* costs) {
+template <class Cost>
+HWY_INLINE void MixedStretch(FeatureRow left, FeatureRow right, const VolumeShape& shape,
+                             std::uint8_t ad_limit, int x_begin, int x_end, std::uint8_t* costs) {
   for (int x = x_begin; x < x_end; ++x, costs += shape.Stride()) {
     const MatchSpan inside = InsideSpan(shape, x);
-    MixedCostPixel({left.first + x, left.distance},
-                   {right.first + MirroredColumn(shape, x), right.distance}, ad_limit, inside,
-                   costs);
-    FillOutside(shape, inside, MixedFeatures::kOutsideCost, costs);
+    MixedCostPixel<Cost>({left.first + x, left.distance},
+                         {right.first + MirroredColumn(shape, x), right.distance}, ad_limit, inside,
+                         costs);
+    FillOutside(shape, inside, Cost::kOutside, costs);
   }
+}
+
+void FullMixedStretch(FeatureRow left, FeatureRow right, const VolumeShape& shape,
+                      std::uint8_t ad_limit, int x_begin, int x_end, std::uint8_t* costs) {
+  MixedStretch<FullMixedCost>(left, right, shape, ad_limit, x_begin, x_end, costs);
+}
+
+void CompactMixedStretch(FeatureRow left, FeatureRow right, const VolumeShape& shape,
+                         std::uint8_t ad_limit, int x_begin, int x_end, std::uint8_t* costs) {
+  MixedStretch<CompactMixedCost>(left, right, shape, ad_limit, x_begin, x_end, costs);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -97,16 +124,22 @@ HWY_AFTER_NAMESPACE();
 namespace stereo_sgmp {
 
 HWY_EXPORT(SaturatedDifferencesOfRow);
-HWY_EXPORT(MixedCostStretch);
+HWY_EXPORT(FullMixedStretch);
+HWY_EXPORT(CompactMixedStretch);
 
 void SaturatedDifferences(const std::uint8_t* after, const std::uint8_t* before, int width,
                           std::uint8_t* differences) {
   HWY_DYNAMIC_DISPATCH(SaturatedDifferencesOfRow)(after, before, width, differences);
 }
 
-void MixedCostRow(FeatureRow left, FeatureRow right, const VolumeShape& shape,
-                  std::uint8_t ad_limit, int x_begin, int x_end, std::uint8_t* costs) {
-  HWY_DYNAMIC_DISPATCH(MixedCostStretch)(left, right, shape, ad_limit, x_begin, x_end, costs);
+void FullMixedCostRow(FeatureRow left, FeatureRow right, const VolumeShape& shape,
+                      std::uint8_t ad_limit, int x_begin, int x_end, std::uint8_t* costs) {
+  HWY_DYNAMIC_DISPATCH(FullMixedStretch)(left, right, shape, ad_limit, x_begin, x_end, costs);
+}
+
+void CompactMixedCostRow(FeatureRow left, FeatureRow right, const VolumeShape& shape,
+                         std::uint8_t ad_limit, int x_begin, int x_end, std::uint8_t* costs) {
+  HWY_DYNAMIC_DISPATCH(CompactMixedStretch)(left, right, shape, ad_limit, x_begin, x_end, costs);
 }
 
 }  // namespace stereo_sgmp

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "cost/compact_kernel.h"
+#include "cost/cost_unit.h"
 #include "cost/ncc_cost_kernel.h"
 
 namespace stereo_sgmp {
@@ -13,7 +15,9 @@ constexpr float kSmallestEpsilon = 1e-6F;
 }  // namespace
 
 void NccCost::Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape,
-                      double epsilon, bool vertical_tolerance, ThreadPool* pool) {
+                      double epsilon, bool vertical_tolerance, int unit, ThreadPool* pool) {
+  CheckCostUnit(unit);
+  unit_ = unit;
   left_image_.Assign(left, Orientation::kNatural);
   right_image_.Assign(right, Orientation::kMirrored);
   left_.Compute(left_image_, pool);
@@ -28,6 +32,8 @@ void NccCost::Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeSha
     rows.right_first = std::max(y - tolerance, 0);
     rows.right_count = std::min(y + tolerance, shape.height - 1) - rows.right_first + 1;
     NccCostRow(rows, shape, used_epsilon, costs);
+    const int padded = shape.width * shape.Stride();
+    CompactCosts(unit, static_cast<std::size_t>(padded), costs);
   };
   volume_.Fill(shape, fill_row, pool);
 }

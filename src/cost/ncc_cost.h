@@ -18,15 +18,18 @@ namespace stereo_sgmp {
 //   C = round(255 (1 - max(0, NCC))),
 //   NCC = sum (l - mean l)(r - mean r) / (sqrt(sum (l - mean l)^2 sum (r - mean r)^2) + epsilon)
 // over 5x5 patches of gray levels 0..255. With vertical tolerance C is the minimum over the right
-// rows y - 1, y and y + 1 inside the image. Matches outside the right image cost 255.
+// rows y - 1, y and y + 1 inside the image. Matches outside the right image cost 255. Compact costs
+// are the CompactCost of these.
 // Sums are exact and the few float operations have one order: the same bits on every machine.
 class NccCost final : public CostRows {
  public:
-  // Computes the whole volume. Images: CV_8UC1 of the size of the shape. epsilon >= 0.
+  // Computes the whole volume. Images: CV_8UC1 of the size of the shape. epsilon >= 0. Throws
+  // std::invalid_argument for a unit out of range.
   void Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape, double epsilon,
-               bool vertical_tolerance, ThreadPool* pool);
+               bool vertical_tolerance, int unit, ThreadPool* pool);
 
   const VolumeShape& shape() const override { return volume_.shape(); }
+  int unit() const override { return unit_; }
   const std::uint8_t* Row(int y, int x_begin, int x_end, std::uint8_t* scratch) const override {
     return volume_.Row(y, x_begin, x_end, scratch);
   }
@@ -34,6 +37,7 @@ class NccCost final : public CostRows {
   static std::size_t Memory(const VolumeShape& shape);
 
  private:
+  int unit_ = 1;
   PaddedGray left_image_;
   PaddedGray right_image_;
   PatchStatistics left_;

@@ -22,13 +22,14 @@ constexpr int kColumns = 2 * kPatchRadius + 1;
 // Disparities worked on at a time: the sums of all columns of a patch then stay in the L1 cache.
 constexpr int kBlock = 256;
 
-// 25 times the products of the left and right pixels in one column of two patches, summed, per
-// disparity, for the latest columns.
+// Products of the left and right pixels in one column of two patches, summed, times 25, per
+// disparity, for each row of right patches and the latest columns.
+template <int kRightCount>
 struct ColumnSums {
-  HWY_ALIGN std::int32_t ring[kColumns][kBlock];
+  HWY_ALIGN std::int32_t ring[kColumns][kRightCount][kBlock];
 
-  std::int32_t* Column(int x) { return ring[(x + kPatchRadius) % kColumns]; }
-  const std::int32_t* Column(int x) const { return ring[(x + kPatchRadius) % kColumns]; }
+  // For x >= -2 kColumns.
+  std::int32_t* Column(int x) { return ring[(x + 2 * kColumns) % kColumns][0]; }
 };
 
 // Added to a float of 0 to 2^22, leaves the nearest whole number in its lowest bits.
@@ -58,48 +59,60 @@ HWY_INLINE MatchSpan BlockSpan(const VolumeShape& shape, int x, int first, int b
                      std::min(kBlock, shape.disparities - first));
 }
 
-void SumColumn(const NccRows& rows, int right_row, const VolumeShape& shape, int x, int first,
-               std::int32_t* sums) {
+// Row pairs that the patches of kRightCount rows of patches cover.
+constexpr int PairCount(int right_count) { return (kColumns + right_count) / 2; }
+
+// The pixels of one column of a left patch, times 25, as the factors of pairs of right rows.
+struct LeftColumn {
+  V32 from_first[3];   // of patches that begin with the first row of a pair
+  V32 from_second[3];  // with the second
+};
+
+HWY_INLINE LeftColumn LeftColumnAt(const NccRows& rows, int x) {
   const D32 d32;
-  const int lanes = static_cast<int>(hn::Lanes(d32));
-  const int left_y = rows.left_y - kPatchRadius;
-  const int right_y = rows.right_first + right_row - kPatchRadius;
-  // 25 times a pair are both of its numbers times 25; the last one is left out, as patches have
-  // an odd height.
-  const V32 left0 = hn::Set(d32, kPatchPixels * rows.left->Pairs(left_y)[x]);
-  const V32 left2 = hn::Set(d32, kPatchPixels * rows.left->Pairs(left_y + 2)[x]);
-  const V32 left4 = hn::Set(d32, kPatchPixels * (rows.left->Pairs(left_y + 4)[x] & 0xFFFF));
-  const std::ptrdiff_t match = MirroredColumn(shape, x) + first;
-  const std::int32_t* right0 = rows.right->Pairs(right_y) + match;
-  const std::int32_t* right2 = rows.right->Pairs(right_y + 2) + match;
-  const std::int32_t* right4 = rows.right->Pairs(right_y + 4) + match;
-  const MatchSpan span = BlockSpan(shape, x, first, kPatchRadius);
-  for (int k = span.begin / lanes * lanes; k < span.end; k += lanes) {
-    V32 sum = PairDot(d32, left0, hn::LoadU(d32, right0 + k), hn::Zero(d32));
-    sum = PairDot(d32, left2, hn::LoadU(d32, right2 + k), sum);
-    sum = PairDot(d32, left4, hn::LoadU(d32, right4 + k), sum);
-    hn::Store(sum, d32, sums + k);
-  }
+  const auto pair = [&](int dy) { return kPatchPixels * rows.left->Pairs(rows.left_y + dy)[x]; };
+  const auto first_of = [](std::int32_t both) { return both & 0xFFFF; };
+  const auto second_of = [&](int dy) { return first_of(pair(dy)) << 16; };
+  return {{hn::Set(d32, pair(-2)), hn::Set(d32, pair(0)), hn::Set(d32, first_of(pair(2)))},
+          {hn::Set(d32, second_of(-2)), hn::Set(d32, pair(-1)), hn::Set(d32, pair(1))}};
 }
 
-// 625 times the covariance of the patches: 25 sum l r - sum l sum r, exactly.
-HWY_INLINE V32 Covariance(D32 d32, const ColumnSums& sums, int x, int k, V32 minus_left_sum,
-                          V32 right_sum) {
-  V32 sum = PairDot(d32, minus_left_sum, right_sum, hn::Zero(d32));
-  for (int dx = -kPatchRadius; dx <= kPatchRadius; ++dx) {
-    sum = hn::Add(sum, hn::Load(d32, sums.Column(x + dx) + k));
-  }
-  return sum;
+// 25 times the products in one column of the left patch and of that of right row i.
+HWY_INLINE V32 ColumnSum(const LeftColumn& left, const V32* right_pairs, int i) {
+  const D32 d32;
+  const V32* factors = i % 2 == 0 ? left.from_first : left.from_second;
+  V32 sum = PairDot(d32, factors[0], right_pairs[i / 2], hn::Zero(d32));
+  sum = PairDot(d32, factors[1], right_pairs[i / 2 + 1], sum);
+  return PairDot(d32, factors[2], right_pairs[i / 2 + 2], sum);
 }
 
-// Costs of the pixel x and the block of disparities that begins at `first`.
-template <int kRightCount>
-void CostOfBlock(const NccRows& rows, const VolumeShape& shape, float epsilon, int x, int first,
-                 const ColumnSums* sums, std::uint8_t* costs) {
+// round(255 (1 - ncc)) in the lowest bits.
+HWY_INLINE V32 RoundedCost(hn::Vec<DF> ncc) {
+  const DF df;
+  const auto cost = hn::Mul(hn::Sub(hn::Set(df, 1.0F), ncc), hn::Set(df, 255.0F));
+  return hn::BitCast(D32(), hn::Add(cost, hn::Set(df, kRoundingBias)));
+}
+
+// Sums the column x + kPatchRadius for the block of disparities that begins at `first`, and with
+// kCosts gives the costs of the pixel x.
+template <int kRightCount, bool kCosts>
+HWY_INLINE void NccBlock(const NccRows& rows, const VolumeShape& shape, float epsilon, int x,
+                         int first, ColumnSums<kRightCount>* sums,
+                         std::uint8_t* HWY_RESTRICT costs) {
+  constexpr int kPairs = PairCount(kRightCount);
   const D32 d32;
   const DF df;
+  const hn::RebindToUnsigned<D32> du32;
   const hn::Rebind<std::uint8_t, D32> d8;
   const int lanes = static_cast<int>(hn::Lanes(d32));
+
+  const int column = x + kPatchRadius;
+  const LeftColumn left = LeftColumnAt(rows, column);
+  const std::int32_t* pairs[kPairs];
+  for (int j = 0; j < kPairs; ++j) {
+    pairs[j] = rows.right->Pairs(rows.right_first - kPatchRadius + 2 * j) +
+               MirroredColumn(shape, column) + first;
+  }
   const std::ptrdiff_t match = MirroredColumn(shape, x) + first;
   const std::int32_t* right_sums[kRightCount];
   const float* right_deviations[kRightCount];
@@ -107,40 +120,48 @@ void CostOfBlock(const NccRows& rows, const VolumeShape& shape, float epsilon, i
     right_sums[i] = rows.right->Sums(rows.right_first + i) + match;
     right_deviations[i] = rows.right->Deviations(rows.right_first + i) + match;
   }
-  const V32 minus_left_sum = hn::Set(d32, -rows.left->Sums(rows.left_y)[x]);
-  const auto left_deviation = hn::Set(df, rows.left->Deviations(rows.left_y)[x]);
+  const V32 minus_left_sum = hn::Set(d32, kCosts ? -rows.left->Sums(rows.left_y)[x] : 0);
+  const auto left_deviation = hn::Set(df, kCosts ? rows.left->Deviations(rows.left_y)[x] : 0.0F);
   const auto scaled_epsilon = hn::Set(df, static_cast<float>(kPatchPixels) * epsilon);
-  const MatchSpan span = BlockSpan(shape, x, first, 0);
+
+  const MatchSpan span = BlockSpan(shape, column, first, kPatchRadius);
+  std::int32_t* const latest_sums = sums->Column(column);
+  const std::int32_t* earlier_sums[kColumns - 1];
+  for (int i = 0; i < kColumns - 1; ++i) earlier_sums[i] = sums->Column(column - 1 - i);
   for (int k = span.begin / lanes * lanes; k < span.end; k += lanes) {
+    V32 right[kPairs];
+    for (int j = 0; j < kPairs; ++j) right[j] = hn::LoadU(d32, pairs[j] + k);
     auto ncc = hn::Zero(df);
     for (int i = 0; i < kRightCount; ++i) {
-      const V32 right_sum = hn::LoadU(d32, right_sums[i] + k);
-      const V32 covariance = Covariance(d32, sums[i], x, k, minus_left_sum, right_sum);
+      const V32 latest = ColumnSum(left, right, i);
+      hn::Store(latest, d32, latest_sums + i * kBlock + k);
+      if (!kCosts) continue;
+      // 625 times the covariance of the patches: 25 sum l r - sum l sum r, exactly.
+      V32 covariance = PairDot(d32, minus_left_sum, hn::LoadU(d32, right_sums[i] + k), latest);
+      for (const std::int32_t* earlier : earlier_sums) {
+        covariance = hn::Add(covariance, hn::Load(d32, earlier + i * kBlock + k));
+      }
       const auto deviations = hn::Mul(left_deviation, hn::LoadU(df, right_deviations[i] + k));
       ncc =
           hn::Max(ncc, hn::Div(hn::ConvertTo(df, covariance), hn::Add(deviations, scaled_epsilon)));
     }
-    const auto cost = hn::Mul(hn::Sub(hn::Set(df, 1.0F), ncc), hn::Set(df, 255.0F));
-    const auto biased = hn::Add(cost, hn::Set(df, kRoundingBias));
-    const hn::RebindToUnsigned<D32> du32;
-    hn::StoreU(hn::TruncateTo(d8, hn::BitCast(du32, biased)), d8, costs + k);
+    if (!kCosts) continue;
+    hn::StoreU(hn::TruncateTo(d8, hn::BitCast(du32, RoundedCost(ncc))), d8, costs + k);
   }
 }
 
 template <int kRightCount>
 void NccRow(const NccRows& rows, const VolumeShape& shape, float epsilon, std::uint8_t* costs) {
-  ColumnSums sums[kRightCount];
+  // Costs outside the image are computed, from whatever stands there, and replaced in the end.
+  ColumnSums<kRightCount> sums = {};
   const std::ptrdiff_t stride = shape.Stride();
-  const auto sum_column = [&](int x, int first) {
-    for (int i = 0; i < kRightCount; ++i) {
-      SumColumn(rows, i, shape, x, first, sums[i].Column(x));
-    }
-  };
   for (int first = 0; first < shape.disparities; first += kBlock) {
-    for (int x = -kPatchRadius; x < kPatchRadius; ++x) sum_column(x, first);
+    for (int x = -2 * kPatchRadius; x < 0; ++x) {
+      NccBlock<kRightCount, false>(rows, shape, epsilon, x, first, &sums, nullptr);
+    }
     for (int x = 0; x < shape.width; ++x) {
-      sum_column(x + kPatchRadius, first);
-      CostOfBlock<kRightCount>(rows, shape, epsilon, x, first, sums, costs + x * stride + first);
+      NccBlock<kRightCount, true>(rows, shape, epsilon, x, first, &sums,
+                                  costs + x * stride + first);
     }
   }
   for (int x = 0; x < shape.width; ++x) {

@@ -5,6 +5,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "cost/compact_kernel.h"
+#include "cost/cost_unit.h"
+
 namespace stereo_sgmp {
 namespace {
 
@@ -38,8 +41,9 @@ void CheckCosts(const CostVolume& volume) {
 
 }  // namespace
 
-VolumeCost::VolumeCost(const CostVolume& volume, const VolumeShape& wanted)
-    : volume_(&volume), shape_(wanted) {
+VolumeCost::VolumeCost(const CostVolume& volume, const VolumeShape& wanted, int unit)
+    : volume_(&volume), shape_(wanted), unit_(unit) {
+  CheckCostUnit(unit);
   CheckSize(volume, wanted);
   CheckRange("num_disparities", volume.disparities, wanted.disparities);
   CheckRange("min_disparity", volume.min_disparity, wanted.min_disparity);
@@ -53,6 +57,7 @@ const std::uint8_t* VolumeCost::Row(int y, int x_begin, int x_end, std::uint8_t*
     std::memcpy(padded, volume_->At(y, x), disparities);
     padded += shape_.Stride();
   }
+  CompactCosts(unit_, static_cast<std::size_t>(padded - scratch), scratch);
   return scratch;
 }
 

@@ -42,8 +42,8 @@ void CoarsePass::Run(const Options& options, const ImagePair& full, ThreadPool* 
   // The exposures of the two images are not known yet: absolute differences would mislead.
   RadiometricFit unknown;
   unknown.ad_weight = 0.0;
-  const CostRows& costs =
-      costs_.Prepare(options.cost, images_.left_gray(), images_.right_gray(), shape, unknown, pool);
+  const CostRows& costs = costs_.Prepare(options.cost, images_.left_gray(), images_.right_gray(),
+                                         shape, unknown, 1, pool);
   AggregationOptions aggregation = options.aggregation;
   aggregation.scheme = PathScheme::kEight;
   const cv::Mat& guide = aggregation.color_guide ? images_.left_color() : images_.left_gray();

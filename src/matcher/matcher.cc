@@ -54,7 +54,7 @@ class Matcher::Impl {
     const VolumeShape shape{size.width, size.height, options_.num_disparities,
                             options_.min_disparity};
     std::optional<VolumeCost> given_costs;
-    if (inputs.costs != nullptr) given_costs.emplace(*inputs.costs, shape);
+    if (inputs.costs != nullptr) given_costs.emplace(*inputs.costs, shape, 1);
     CheckMemory(options_, size, inputs, held_);
     held_ = EstimateMemory(options_, size, inputs);
     clock.Mark("images");
@@ -72,7 +72,7 @@ class Matcher::Impl {
     const CostRows& costs =
         given_costs ? static_cast<const CostRows&>(*given_costs)
                     : costs_.Prepare(options_.cost, images_.left_gray(), images_.right_gray(),
-                                     shape, coarse_.radiometric_fit(), pool_.get());
+                                     shape, coarse_.radiometric_fit(), 1, pool_.get());
     clock.Mark("cost");
     const cv::Mat& guide =
         options_.aggregation.color_guide ? images_.left_color() : images_.left_gray();

@@ -17,6 +17,14 @@ struct Window {
 
 class CensusCostTest : public testing::TestWithParam<Window> {};
 
+ReferenceCost Reference(const Window& window, const cv::Mat& left, const cv::Mat& right) {
+  return [=](int x, int y, int match) {
+    if (match < 0 || match >= right.cols) return window.outside;
+    return window.scale *
+           ReferenceHamming(left, right, window.radius_x, window.radius_y, x, y, match);
+  };
+}
+
 TEST_P(CensusCostTest, EqualsScalarReferenceOnAllTargets) {
   const Window& window = GetParam();
   ThreadPool pool(2);
@@ -25,12 +33,24 @@ TEST_P(CensusCostTest, EqualsScalarReferenceOnAllTargets) {
     const cv::Mat left = RandomGray(shape.width, shape.height, 1);
     const cv::Mat right = RandomGray(shape.width, shape.height, 2);
     ForEachTarget([&] {
-      cost.Prepare(left, right, shape, window.window, &pool);
-      ExpectCosts(cost, [&](int x, int y, int match) {
-        if (match < 0 || match >= shape.width) return window.outside;
-        return window.scale *
-               ReferenceHamming(left, right, window.radius_x, window.radius_y, x, y, match);
-      });
+      cost.Prepare(left, right, shape, window.window, 1, &pool);
+      ExpectCosts(cost, Reference(window, left, right));
+    });
+  }
+}
+
+TEST_P(CensusCostTest, CompactCostsAreTheFullOnesInUnits) {
+  const Window& window = GetParam();
+  const VolumeShape shape{70, 9, 65, -4};
+  const cv::Mat left = RandomGray(shape.width, shape.height, 3);
+  const cv::Mat right = RandomGray(shape.width, shape.height, 4);
+  ThreadPool pool(2);
+  CensusCost cost;
+  for (int unit = 2; unit <= 16; ++unit) {
+    ForEachTarget([&] {
+      cost.Prepare(left, right, shape, window.window, unit, &pool);
+      EXPECT_EQ(cost.unit(), unit);
+      ExpectCosts(cost, InUnits(Reference(window, left, right), unit));
     });
   }
 }
@@ -45,7 +65,7 @@ TEST(CensusCostTest, BearsAnyRisingMapOfTheGrayLevels) {
   const cv::Mat brighter = left * 2 + 1;
   ThreadPool pool(1);
   CensusCost cost;
-  cost.Prepare(left, brighter, shape, CensusWindow::k9x7, &pool);
+  cost.Prepare(left, brighter, shape, CensusWindow::k9x7, 1, &pool);
   AlignedBuffer<std::uint8_t> scratch;
   scratch.Resize(static_cast<std::size_t>(shape.width * shape.Stride()));
   const std::uint8_t* row = cost.Row(9, 0, shape.width, scratch.data());

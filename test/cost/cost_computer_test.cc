@@ -2,10 +2,12 @@
 
 #include <cstring>
 #include <stdexcept>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "cost_test_util.h"
+#include "io/expect_message.h"
 
 namespace stereo_sgmp {
 namespace {
@@ -26,8 +28,10 @@ TEST(CostComputerTest, PreparesTheCostOfTheOptions) {
   ThreadPool pool(2);
   CostComputer computer;
   CostOptions options;
+  int unit = 1;
   const auto outside_cost = [&] {
-    return CostAt(computer.Prepare(options, left, right, kShape, RadiometricFit(), &pool), 0, 3, 1);
+    return CostAt(computer.Prepare(options, left, right, kShape, RadiometricFit(), unit, &pool), 0,
+                  3, 1);
   };
   options.kind = CostKind::kMixed;
   EXPECT_EQ(outside_cost(), 188);
@@ -37,6 +41,28 @@ TEST(CostComputerTest, PreparesTheCostOfTheOptions) {
   EXPECT_EQ(outside_cost(), 124);
   options.census_window = CensusWindow::k5x5;
   EXPECT_EQ(outside_cost(), 120);
+  unit = 7;
+  EXPECT_EQ(outside_cost(), 17);
+  options.kind = CostKind::kNcc;
+  EXPECT_EQ(outside_cost(), 36);
+  options.kind = CostKind::kMixed;
+  EXPECT_EQ(outside_cost(), 26);
+}
+
+TEST(CostComputerTest, SaysWhichUnitsThereAre) {
+  const cv::Mat image = RandomGray(kWidth, kHeight, 1);
+  ThreadPool pool(1);
+  CostComputer computer;
+  const auto expect = [&](CostKind kind, int unit, const std::string& message) {
+    CostOptions options;
+    options.kind = kind;
+    ExpectInvalid(
+        [&] { computer.Prepare(options, image, image, kShape, RadiometricFit(), unit, &pool); },
+        message);
+  };
+  expect(CostKind::kMixed, 5, "unit of the mixed cost is 5, expected 1 (full costs) or 7");
+  expect(CostKind::kNcc, 17, "unit of the matching cost is 17, expected 1 (full costs) to 16");
+  expect(CostKind::kCensus, 0, "unit of the matching cost is 0");
 }
 
 TEST(CostComputerTest, ForgetsTheLastPair) {
@@ -50,9 +76,9 @@ TEST(CostComputerTest, ForgetsTheLastPair) {
     CostOptions options;
     options.kind = kind;
     used.Prepare(options, RandomGray(kWidth, kHeight, 1), RandomGray(kWidth, kHeight, 2), kShape,
-                 RadiometricFit(), &pool);
-    const CostRows& again = used.Prepare(options, left, right, small, RadiometricFit(), &pool);
-    const CostRows& once = fresh.Prepare(options, left, right, small, RadiometricFit(), &pool);
+                 RadiometricFit(), 1, &pool);
+    const CostRows& again = used.Prepare(options, left, right, small, RadiometricFit(), 1, &pool);
+    const CostRows& once = fresh.Prepare(options, left, right, small, RadiometricFit(), 1, &pool);
     for (int x = 0; x < small.width; ++x) {
       for (int k = 0; k < small.disparities; ++k) {
         ASSERT_EQ(CostAt(again, x, 4, k), CostAt(once, x, 4, k));
@@ -67,7 +93,7 @@ TEST(CostComputerTest, NamesTheImageThatDoesNotFit) {
   const cv::Mat good = RandomGray(kWidth, kHeight, 1);
   const cv::Mat narrow = RandomGray(kWidth - 1, kHeight, 2);
   try {
-    computer.Prepare(CostOptions(), good, narrow, kShape, RadiometricFit(), &pool);
+    computer.Prepare(CostOptions(), good, narrow, kShape, RadiometricFit(), 1, &pool);
     FAIL() << "expected an exception";
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::strstr(error.what(), "right image"), nullptr) << error.what();

@@ -2,6 +2,7 @@
 #define STEREO_SGMP_TEST_COST_COST_TEST_UTIL_H_
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -83,6 +84,13 @@ inline void ExpectCosts(const CostRows& costs, const ReferenceCost& reference) {
       }
     }
   }
+}
+
+// What full costs become in units of `unit`: rounded, halves upwards.
+inline ReferenceCost InUnits(const ReferenceCost& full, int unit) {
+  return [full, unit](int x, int y, int match) {
+    return static_cast<int>(std::floor(full(x, y, match) / static_cast<double>(unit) + 0.5));
+  };
 }
 
 // The pixel, or the nearest one of the image.

@@ -25,34 +25,44 @@ int GradientDifference(const cv::Mat& left, const cv::Mat& right, int x, int y, 
   return std::abs(gradient(left, x) - gradient(right, match));
 }
 
-ReferenceCost Reference(const cv::Mat& left, const cv::Mat& right, const RadiometricFit& fit) {
+ReferenceCost Reference(const cv::Mat& left, const cv::Mat& right, const RadiometricFit& fit,
+                        int unit) {
   return [=](int x, int y, int match) {
-    if (match < 0 || match >= right.cols) return 188;
+    const bool full = unit == 1;
+    if (match < 0 || match >= right.cols) return full ? 188 : 26;
     const int h = ReferenceHamming(left, right, 3, 2, x, y, match);
     const int l = Weighted(Clamped(left, x, y), fit.ad_weight);
     const int r = Weighted(fit.gain * Clamped(right, match, y) + fit.offset, fit.ad_weight);
     const int limit = static_cast<int>(std::lrint(30.0 * fit.ad_weight));
-    const int gradient = GradientDifference(left, right, x, y, match, 1, 0) +
-                         GradientDifference(left, right, x, y, match, 0, 1);
-    return std::min(
-        255, 7 * h + (h >> 2) + std::min(limit, std::abs(l - r)) + 10 * std::min(10, gradient));
+    const int ad = std::min(limit, std::abs(l - r));
+    const int g = std::min(10, GradientDifference(left, right, x, y, match, 1, 0) +
+                                   GradientDifference(left, right, x, y, match, 0, 1));
+    return full ? std::min(255, 7 * h + (h >> 2) + ad + 10 * g)
+                : std::min(36, h + g + (ad + 3 * g + 7) / 8);
   };
 }
 
-TEST(MixedCostTest, EqualsScalarReferenceOnAllTargets) {
+class MixedCostTest : public testing::TestWithParam<int> {};
+
+INSTANTIATE_TEST_SUITE_P(Units, MixedCostTest, testing::Values(1, 7));
+
+TEST_P(MixedCostTest, EqualsScalarReferenceOnAllTargets) {
+  const int unit = GetParam();
   ThreadPool pool(2);
   MixedCost cost;
   for (const VolumeShape& shape : AwkwardShapes()) {
     const cv::Mat left = RandomGray(shape.width, shape.height, 1);
     const cv::Mat right = RandomGray(shape.width, shape.height, 2);
     ForEachTarget([&] {
-      cost.Prepare(left, right, shape, RadiometricFit(), &pool);
-      ExpectCosts(cost, Reference(left, right, RadiometricFit()));
+      cost.Prepare(left, right, shape, RadiometricFit(), unit, &pool);
+      EXPECT_EQ(cost.unit(), unit);
+      ExpectCosts(cost, Reference(left, right, RadiometricFit(), unit));
     });
   }
 }
 
-TEST(MixedCostTest, SmoothImagesReachTheLowCosts) {
+TEST_P(MixedCostTest, SmoothImagesReachTheLowCosts) {
+  const int unit = GetParam();
   const VolumeShape shape{70, 20, 40, -3};
   cv::Mat left = RandomGray(shape.width, shape.height, 3);
   cv::GaussianBlur(left, left, cv::Size(), 4.0);
@@ -61,12 +71,12 @@ TEST(MixedCostTest, SmoothImagesReachTheLowCosts) {
   ThreadPool pool(1);
   MixedCost cost;
   ForEachTarget([&] {
-    cost.Prepare(left, right, shape, RadiometricFit(), &pool);
-    ExpectCosts(cost, Reference(left, right, RadiometricFit()));
+    cost.Prepare(left, right, shape, RadiometricFit(), unit, &pool);
+    ExpectCosts(cost, Reference(left, right, RadiometricFit(), unit));
   });
 }
 
-TEST(MixedCostTest, AppliesGainOffsetAndWeightToTheAbsoluteDifference) {
+TEST_P(MixedCostTest, AppliesGainOffsetAndWeightToTheAbsoluteDifference) {
   const VolumeShape shape{70, 9, 33, 0};
   const cv::Mat left = RandomGray(shape.width, shape.height, 5);
   const cv::Mat right = RandomGray(shape.width, shape.height, 6);
@@ -74,17 +84,17 @@ TEST(MixedCostTest, AppliesGainOffsetAndWeightToTheAbsoluteDifference) {
   MixedCost cost;
   for (const RadiometricFit& fit :
        {RadiometricFit{1.3, -20.0, 1.0}, RadiometricFit{0.7, 12.5, 0.4}, {1.0, 0.0, 0.0}}) {
-    cost.Prepare(left, right, shape, fit, &pool);
-    ExpectCosts(cost, Reference(left, right, fit));
+    cost.Prepare(left, right, shape, fit, GetParam(), &pool);
+    ExpectCosts(cost, Reference(left, right, fit, GetParam()));
   }
 }
 
-TEST(MixedCostTest, SamePixelCostsNothing) {
+TEST_P(MixedCostTest, SamePixelCostsNothing) {
   const VolumeShape shape{40, 8, 16, 0};
   const cv::Mat image = RandomGray(shape.width, shape.height, 7);
   ThreadPool pool(1);
   MixedCost cost;
-  cost.Prepare(image, image, shape, RadiometricFit(), &pool);
+  cost.Prepare(image, image, shape, RadiometricFit(), GetParam(), &pool);
   AlignedBuffer<std::uint8_t> scratch;
   scratch.Resize(static_cast<std::size_t>(shape.width * shape.Stride()));
   const std::uint8_t* row = cost.Row(3, 0, shape.width, scratch.data());

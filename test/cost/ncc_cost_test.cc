@@ -60,7 +60,7 @@ TEST(NccCostTest, EqualsScalarReferenceOnAllTargets) {
     const cv::Mat left = RandomGray(shape.width, shape.height, 1);
     const cv::Mat right = RandomGray(shape.width, shape.height, 2);
     ForEachTarget([&] {
-      cost.Prepare(left, right, shape, 1.0, false, &pool);
+      cost.Prepare(left, right, shape, 1.0, false, 1, &pool);
       ExpectCosts(cost, Reference(left, right, 1.0F, 0));
     });
   }
@@ -69,13 +69,28 @@ TEST(NccCostTest, EqualsScalarReferenceOnAllTargets) {
 TEST(NccCostTest, VerticalToleranceTakesTheMinimumOfThreeRows) {
   ThreadPool pool(2);
   NccCost cost;
-  for (const VolumeShape& shape :
-       {VolumeShape{1, 1, 4, -1}, VolumeShape{33, 2, 20, 0}, VolumeShape{70, 9, 65, -4}}) {
+  for (const VolumeShape& shape : {VolumeShape{1, 1, 4, -1}, VolumeShape{33, 2, 20, 0},
+                                   VolumeShape{70, 9, 65, -4}, VolumeShape{65, 4, 300, -9}}) {
     const cv::Mat left = RandomGray(shape.width, shape.height, 3);
     const cv::Mat right = RandomGray(shape.width, shape.height, 4);
     ForEachTarget([&] {
-      cost.Prepare(left, right, shape, 1.0, true, &pool);
+      cost.Prepare(left, right, shape, 1.0, true, 1, &pool);
       ExpectCosts(cost, Reference(left, right, 1.0F, 1));
+    });
+  }
+}
+
+TEST(NccCostTest, CompactCostsAreTheFullOnesInUnits) {
+  const VolumeShape shape{70, 5, 65, -4};
+  const cv::Mat left = RandomGray(shape.width, shape.height, 3);
+  const cv::Mat right = RandomGray(shape.width, shape.height, 4);
+  ThreadPool pool(2);
+  NccCost cost;
+  for (int unit = 2; unit <= 16; ++unit) {
+    ForEachTarget([&] {
+      cost.Prepare(left, right, shape, 1.0, true, unit, &pool);
+      EXPECT_EQ(cost.unit(), unit);
+      ExpectCosts(cost, InUnits(Reference(left, right, 1.0F, 1), unit));
     });
   }
 }
@@ -86,7 +101,7 @@ TEST(NccCostTest, EpsilonIsAddedToTheDenominator) {
   const cv::Mat right = RandomGray(shape.width, shape.height, 6) / 8;
   ThreadPool pool(1);
   NccCost cost;
-  cost.Prepare(left, right, shape, 50.0, false, &pool);
+  cost.Prepare(left, right, shape, 50.0, false, 1, &pool);
   ExpectCosts(cost, Reference(left, right, 50.0F, 0));
 }
 
@@ -95,7 +110,7 @@ int CostOfSamePlace(const cv::Mat& left, const cv::Mat& right, double epsilon) {
   const VolumeShape shape{left.cols, left.rows, 1, 0};
   ThreadPool pool(1);
   NccCost cost;
-  cost.Prepare(left, right, shape, epsilon, false, &pool);
+  cost.Prepare(left, right, shape, epsilon, false, 1, &pool);
   return cost.Row(left.rows / 2, left.cols / 2, left.cols / 2 + 1, nullptr)[0];
 }
 
