@@ -10,6 +10,7 @@
 #include "aggregation/row_strips.h"
 #include "aggregation/sweep.h"
 #include "common/aligned_buffer.h"
+#include "cost/cost_unit.h"
 
 namespace stereo_sgmp {
 namespace {
@@ -37,7 +38,7 @@ class SharpenedCosts : public CostRows {
 bool FitBytes(const Penalties& penalties, int unit) {
   constexpr int kLargest = 255;
   const int p2 = *std::max_element(penalties.p2.begin(), penalties.p2.end());
-  return kLargest / unit + p2 <= kLargest;
+  return CompactCost(kLargest, unit) + p2 <= kLargest;
 }
 
 template <class T>

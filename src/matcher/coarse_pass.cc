@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "matcher/path_unit.h"
 #include "refinement/subpixel.h"
 
 namespace stereo_sgmp {
@@ -43,7 +44,7 @@ void CoarsePass::Run(const Options& options, const ImagePair& full, ThreadPool* 
   RadiometricFit unknown;
   unknown.ad_weight = 0.0;
   const CostRows& costs = costs_.Prepare(options.cost, images_.left_gray(), images_.right_gray(),
-                                         shape, unknown, 1, pool);
+                                         shape, unknown, PathUnit(options, false), pool);
   AggregationOptions aggregation = options.aggregation;
   aggregation.scheme = PathScheme::kEight;
   const cv::Mat& guide = aggregation.color_guide ? images_.left_color() : images_.left_gray();

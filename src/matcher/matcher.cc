@@ -13,6 +13,7 @@
 #include "matcher/coarse_pass.h"
 #include "matcher/disparity_refiner.h"
 #include "matcher/memory.h"
+#include "matcher/path_unit.h"
 #include "matcher/prior_stage.h"
 #include "matcher/stage_clock.h"
 #include "stereo_sgmp/option_fields.h"
@@ -54,7 +55,8 @@ class Matcher::Impl {
     const VolumeShape shape{size.width, size.height, options_.num_disparities,
                             options_.min_disparity};
     std::optional<VolumeCost> given_costs;
-    if (inputs.costs != nullptr) given_costs.emplace(*inputs.costs, shape, 1);
+    if (inputs.costs != nullptr)
+      given_costs.emplace(*inputs.costs, shape, PathUnit(options_, true));
     CheckMemory(options_, size, inputs, held_);
     held_ = EstimateMemory(options_, size, inputs);
     clock.Mark("images");
@@ -70,13 +72,15 @@ class Matcher::Impl {
     clock.Mark("prior");
 
     const CostRows& costs =
-        given_costs ? static_cast<const CostRows&>(*given_costs)
-                    : costs_.Prepare(options_.cost, images_.left_gray(), images_.right_gray(),
-                                     shape, coarse_.radiometric_fit(), 1, pool_.get());
+        given_costs
+            ? static_cast<const CostRows&>(*given_costs)
+            : costs_.Prepare(options_.cost, images_.left_gray(), images_.right_gray(), shape,
+                             coarse_.radiometric_fit(), PathUnit(options_, false), pool_.get());
     clock.Mark("cost");
     const cv::Mat& guide =
         options_.aggregation.color_guide ? images_.left_color() : images_.left_gray();
-    aggregator_.Run(costs, guide, options_.aggregation, prior, 0, pool_.get(), &winners_);
+    aggregator_.Run(costs, guide, options_.aggregation, prior, StripRows(options_, size, inputs),
+                    pool_.get(), &winners_);
     clock.Mark("aggregation");
     refiner_.Run(winners_, images_.left_color(), options_, pool_.get(), result);
     clock.Mark("refinement");

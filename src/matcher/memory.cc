@@ -12,6 +12,7 @@
 #include "aggregation/aggregator.h"
 #include "cost/cost_computer.h"
 #include "matcher/coarse_pass.h"
+#include "matcher/path_unit.h"
 #include "stereo_sgmp/matcher.h"
 
 namespace stereo_sgmp {
@@ -48,13 +49,9 @@ std::size_t Pixels(const VolumeShape& shape) {
   return static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height);
 }
 
-std::size_t AggregationMemory(const Options& options, const VolumeShape& shape, PathScheme scheme) {
-  const int threads = options.threads > 0
-                          ? options.threads
-                          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  AggregationOptions aggregation = options.aggregation;
-  aggregation.scheme = scheme;
-  return Aggregator::Memory(shape, aggregation, 1, threads, 0);
+int Threads(const Options& options) {
+  return options.threads > 0 ? options.threads
+                             : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 // Of what a variant's prior holds besides the masks and labels of all of them.
@@ -77,16 +74,38 @@ std::size_t PriorMemory(Variant variant, const VolumeShape& full, const VolumeSh
   return 0;
 }
 
+VolumeShape FullShape(const Options& options, cv::Size image_size) {
+  return {image_size.width, image_size.height, options.num_disparities, options.min_disparity};
+}
+
+// All but the aggregation at full resolution.
+std::size_t MemoryBesides(const Options& options, cv::Size image_size, const MatchInputs& inputs) {
+  const VolumeShape full = FullShape(options, image_size);
+  const VolumeShape coarse = CoarsePass::Shape(options, image_size);
+  AggregationOptions aggregation = options.aggregation;
+  aggregation.scheme = PathScheme::kEight;
+  const std::size_t costs = inputs.costs != nullptr ? 0 : CostMemory(options.cost, full);
+  return costs + CostMemory(options.cost, coarse) +
+         Aggregator::Memory(coarse, aggregation, PathUnit(options, false), Threads(options), 0) +
+         PriorMemory(options.prior.variant, full, coarse) + Pixels(full) * kImageBytesPerPixel;
+}
+
 }  // namespace
 
+int StripRows(const Options& options, cv::Size image_size, const MatchInputs& inputs) {
+  if (options.memory_limit == 0) return 0;
+  const auto limit = static_cast<std::size_t>(options.memory_limit * kMegabyte);
+  const std::size_t besides = MemoryBesides(options, image_size, inputs);
+  return Aggregator::StripRows(FullShape(options, image_size), options.aggregation,
+                               PathUnit(options, inputs.costs != nullptr), Threads(options),
+                               limit > besides ? limit - besides : 0);
+}
+
 std::size_t EstimateMemory(const Options& options, cv::Size image_size, const MatchInputs& inputs) {
-  const VolumeShape full{image_size.width, image_size.height, options.num_disparities,
-                         options.min_disparity};
-  const VolumeShape coarse = CoarsePass::Shape(options, image_size);
-  const std::size_t costs = inputs.costs != nullptr ? 0 : CostMemory(options.cost, full);
-  return costs + AggregationMemory(options, full, options.aggregation.scheme) +
-         CostMemory(options.cost, coarse) + AggregationMemory(options, coarse, PathScheme::kEight) +
-         PriorMemory(options.prior.variant, full, coarse) + Pixels(full) * kImageBytesPerPixel;
+  return MemoryBesides(options, image_size, inputs) +
+         Aggregator::Memory(FullShape(options, image_size), options.aggregation,
+                            PathUnit(options, inputs.costs != nullptr), Threads(options),
+                            StripRows(options, image_size, inputs));
 }
 
 void CheckMemory(const Options& options, cv::Size image_size, const MatchInputs& inputs,

@@ -15,6 +15,10 @@ namespace stereo_sgmp {
 void CheckMemory(const Options& options, cv::Size image_size, const MatchInputs& inputs,
                  std::size_t held);
 
+// Rows that the aggregation holds at a time (RowStrips) for a Matcher to keep to
+// Options::memory_limit; 0: all. As few as need the least memory where nothing keeps to it.
+int StripRows(const Options& options, cv::Size image_size, const MatchInputs& inputs);
+
 }  // namespace stereo_sgmp
 
 #endif  // STEREO_SGMP_MATCHER_MEMORY_H_
