@@ -10,12 +10,13 @@ repo = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 sys.path.insert(0, os.path.join(repo, "scripts"))
 
 # pylint: disable=wrong-import-position
-from bench_tools import plan, tables
+from bench_tools import plan, roofline, tables
 from bench_tools.bars import check_all
 from bench_tools.measure import BenchError, run_benchmarks
 from bench_tools.results import merged, rows_of_group
 
 PROGRAM = os.path.join(repo, "build/bench/bin/stereo_benchmark")
+CEILINGS = os.path.join(repo, "build/bench/bin/ceiling_benchmark")
 RENDER = os.path.join(repo, "build/devel/lib/stereo_sgmp/render_scene")
 SCENES = os.path.join(repo, "build/bench/scenes")
 
@@ -59,6 +60,14 @@ def measure_size(size, the_plan, pair, machine):
     return merged(groups)
 
 
+def measure_ceilings():
+    """10^9 bytes or operations per second, of the best run, by the name of the benchmark."""
+    print("ceilings of the machine", flush=True)
+    measurements, _ = run_benchmarks(CEILINGS, [], ["ceiling/.*"], 5)
+    return {name: of.counters["G/s"] * of.median_ms / min(of.ms)
+            for name, of in measurements.items()}
+
+
 def processor():
     with open("/proc/cpuinfo", encoding="utf-8") as file:
         return next((line.split(":", 1)[1].strip() for line in file
@@ -72,9 +81,10 @@ def save(out, name, text):
     print(path)
 
 
-def as_json(machine, checks, rows_by_size):
+def as_json(machine, checks, rows_by_size, ceilings):
     return json.dumps({
         "machine": machine,
+        "ceilings": ceilings,
         "bars": [{**check.bar._asdict(), "size": str(check.bar.size), "ours_ms": check.ours_ms,
                   "reference_ms": check.reference_ms, "ratio": check.ratio,
                   "verdict": check.verdict} for check in checks],
@@ -92,11 +102,14 @@ def main():
                "images": "given pair, resized" if arguments.pair else "generated room"}
     rows_by_size = {size: measure_size(size, make_plan(size), arguments.pair, machine)
                     for size in sizes}
+    ceilings = measure_ceilings()
+    lines = {size: roofline.lines(rows, size, ceilings, 2) for size, rows in rows_by_size.items()}
     checks = check_all(rows_by_size)
     print(tables.checks_table(checks))
     os.makedirs(arguments.out, exist_ok=True)
-    save(arguments.out, "report.md", tables.page(machine, checks, rows_by_size))
-    save(arguments.out, "results.json", as_json(machine, checks, rows_by_size))
+    save(arguments.out, "report.md", tables.page(
+        machine, checks, rows_by_size, tables.roofline_section(ceilings, lines)))
+    save(arguments.out, "results.json", as_json(machine, checks, rows_by_size, ceilings))
 
 
 if __name__ == "__main__":

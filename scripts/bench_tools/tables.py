@@ -45,11 +45,43 @@ def stages_table(rows):
         for row in frames])
 
 
-def page(machine, checks, rows_by_size):
+def ceilings_table(ceilings):
+    """What the machine can do, by the number of threads."""
+    names = list(dict.fromkeys(name.rsplit("/", 1)[0] for name in ceilings))
+    return _table(("10^9 per second", "1 thread", "2 threads"), [
+        (name.split("/", 1)[1].replace("_", " "),
+         *(_number(ceilings.get("%s/%d" % (name, threads)), 1) for threads in (1, 2)))
+        for name in names])
+
+
+def roofline_table(lines):
+    head = ("stage", "operations", "bytes", "ms", "ms by operations", "ms by memory", "share")
+    return _table(head, [
+        (line.stage, _number(line.work.operations / line.per, 1),
+         _number(line.work.bytes / line.per, 2), _number(line.ms, 1),
+         _number(line.operations_ms, 1), _number(line.memory_ms, 1), "%.0f %%" % (100 * line.share))
+        for line in lines])
+
+
+def roofline_section(ceilings, lines_by_size):
+    parts = ["## Roofline",
+             "Ceilings: bytes moved, or minima and additions of bytes, per second.",
+             ceilings_table(ceilings),
+             "Operations (of single bytes) and bytes of memory for each pixel and disparity, as "
+             "the method needs them at least; the times that they would take at the ceilings with "
+             "two threads; the share of the nearer ceiling that is reached."]
+    for size, lines in lines_by_size.items():
+        if not lines:
+            continue
+        parts += ["### %s" % str(size), roofline_table(lines)]
+    return "\n\n".join(parts)
+
+
+def page(machine, checks, rows_by_size, roofline):
     parts = ["# Benchmark", "; ".join("%s: %s" % item for item in machine.items()),
              "Medians of runs in turns, milliseconds. MDE/s: millions of width x height x "
              "disparities per second. OpenCV computes only the columns that all disparities reach.",
              "## Bars", checks_table(checks)]
     for size, rows in rows_by_size.items():
         parts += ["## " + str(size), size_table(rows), stages_table(rows)]
-    return "\n\n".join(parts) + "\n"
+    return "\n\n".join(parts + [roofline]) + "\n"

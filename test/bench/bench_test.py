@@ -2,7 +2,7 @@
 import json
 import unittest
 
-from bench_tools import main, tables
+from bench_tools import main, roofline, tables
 from bench_tools.bars import BARS, check, check_all
 from bench_tools.measure import measurements_of
 from bench_tools.plan import FULL, HALF, QUICK_SIZES, SIZES, full_plan, parse_size, quick_plan
@@ -95,16 +95,32 @@ class PlanTest(unittest.TestCase):
             parse_size("640x480")
 
 
+class RooflineTest(unittest.TestCase):
+    CEILINGS = {"ceiling/byte_operations/2": 500.0, "ceiling/memory_read/2": 22.0,
+                "ceiling/memory_stream/2": 18.0}
+
+    def test_the_nearer_ceiling_counts(self):
+        of = rows(run("stage/aggregation_none/2", 400.0), run("stage/images/2", 1.0),
+                  run("stage/prior_epv/2", 9.0), run("stage/images/1", 1.0))
+        aggregation, images = roofline.lines(of, HALF, self.CEILINGS, 2)
+        volume = 1440 * 994 * 256
+        self.assertAlmostEqual(aggregation.memory_ms, 4 * volume / 20e6)
+        self.assertAlmostEqual(aggregation.share, aggregation.operations_ms / 400.0)
+        self.assertAlmostEqual(images.share, images.memory_ms)
+        self.assertIn("| stage/images | 0.0 | 0.03 | 1.0 |",
+                      tables.roofline_section(self.CEILINGS, {HALF: [images]}))
+
+
 class OutputTest(unittest.TestCase):
     def test_page_and_json_hold_the_bars_and_rows(self):
         of = {HALF: rows(run("frame/default/2", 10.0, **{"ms cost": 3.0}),
                          run("opencv/sgbm_3way/2", 20.0))}
         checks = check_all(of)
-        page = tables.page({"cores": 2}, checks, of)
+        page = tables.page({"cores": 2}, checks, of, "## Roofline")
         self.assertIn("| default / StereoSGBM 3WAY | 1440x994x256 | 10.0 | 20.0 | 0.500 | ≤ 1 | "
                       "met |", page)
         self.assertIn("| frame/default | 2 | 10.0 |", page)
-        document = json.loads(main.as_json({"cores": 2}, checks, of))
+        document = json.loads(main.as_json({"cores": 2}, checks, of, {}))
         self.assertEqual(document["sizes"]["1440x994x256"][0]["ms"], 10.0)
         self.assertEqual(document["bars"][0]["verdict"], "met")
 
