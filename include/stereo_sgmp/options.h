@@ -108,6 +108,7 @@ struct Options {
   int min_disparity = 0;
   int num_disparities = 128;
   int threads = 0;
+  bool pin_threads = false;
   AlignmentOptions alignment;
   CostOptions cost;
   AggregationOptions aggregation;

@@ -1,15 +1,14 @@
 #include "matcher/memory.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <thread>
 
 #include "aggregation/aggregator.h"
+#include "common/thread_pool.h"
 #include "cost/cost_computer.h"
 #include "matcher/coarse_pass.h"
 #include "stereo_sgmp/matcher.h"
@@ -49,10 +48,7 @@ std::size_t Pixels(const VolumeShape& shape) {
 }
 
 std::size_t AggregationMemory(const Options& options, const VolumeShape& shape, PathScheme scheme) {
-  const int threads = options.threads > 0
-                          ? options.threads
-                          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  return Aggregator::Memory(shape, scheme, threads);
+  return Aggregator::Memory(shape, scheme, ThreadPool::Count(options.threads));
 }
 
 // Of what a variant's prior holds besides the masks and labels of all of them.
