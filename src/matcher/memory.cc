@@ -19,8 +19,9 @@ namespace {
 constexpr double kMegabyte = 1024.0 * 1024.0;
 
 // Bytes per pixel of the images that stages and results keep: gray and colour copies, five
-// float images of the refinement and those of a MatchResult, masks and labels.
-constexpr std::size_t kImageBytesPerPixel = 80;
+// float images of the refinement and its left-right differences, those of a MatchResult, masks
+// and labels.
+constexpr std::size_t kImageBytesPerPixel = 82;
 
 // Bytes per pixel of a prior from normals: shape and component of the surfaces, of the frame
 // before too, and what they are integrated to.
