@@ -54,7 +54,7 @@ void DisparityRefiner::Run(const WinnerMap& winners, const cv::Mat& image, const
   MakeDense(winners.shape, image, options, pool, result);
   FindInvalid(winners, left_right_, result->dense, result->confidence, filter, &result->reason,
               pool);
-  speckle_.Mark(result->dense, filter.speckle_size, filter.speckle_range, &result->reason);
+  speckle_.Mark(result->dense, filter.speckle_size, filter.speckle_range, &result->reason, pool);
   CountReasons(result->reason, pool, &result->statistics);
 }
 
