@@ -5,8 +5,14 @@ target_compile_options(stereo_sgmp_compile_options INTERFACE
   # The same bits on every SIMD target: no fused multiply-add behind the program's back.
   -ffp-contract=off)
 # SIMD targets that Highway chooses from at run time: from SSE4 on; older processors take the
-# plain one. Each target adds to the build time.
-target_compile_definitions(stereo_sgmp_compile_options INTERFACE HWY_DISABLED_TARGETS=HWY_SSSE3)
+# plain one. Each target adds to the build time. On Arm NEON: vectors of SVE can't stand in arrays,
+# as the kernels have them.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
+  target_compile_definitions(stereo_sgmp_compile_options INTERFACE
+    "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
+else()
+  target_compile_definitions(stereo_sgmp_compile_options INTERFACE HWY_DISABLED_TARGETS=HWY_SSSE3)
+endif()
 if(STEREO_SGMP_WARNINGS_AS_ERRORS)
   target_compile_options(stereo_sgmp_compile_options INTERFACE -Werror)
 endif()

@@ -144,10 +144,10 @@ build() {
     cmake --build "$folder" --parallel "$cores" --target "${targets[@]}"
 }
 
-# The programs, without the tests, in build/.
+# build_release OPTIONS...: the programs, without the tests, in build/.
 build_release() {
   build "$repo/build" -DCMAKE_BUILD_TYPE=Release -DSTEREO_SGMP_WARNINGS_AS_ERRORS=ON \
-    -DSTEREO_SGMP_BUILD_TESTS=OFF
+    -DSTEREO_SGMP_BUILD_TESTS=OFF "$@"
 }
 
 # make_real_scenes FOLDER: the pairs that Debian packages carry, in FOLDER/scenes.

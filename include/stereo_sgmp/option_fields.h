@@ -98,13 +98,18 @@ void VisitOptions(OptionsT& o, Visitor&& visit) {
                     "grow with it.",
                     1, 2048},
         o.num_disparities);
-  visit(OptionField{"threads", "", "Threads that match one frame; 0 takes all cores.", 0, 256},
+  visit(OptionField{"threads", "",
+                    "Threads that match one frame; 0 takes the cores that the process may run on.",
+                    0, 256},
         o.threads);
   visit(OptionField{"memory_limit", "MB",
                     "Memory of one frame above which the aggregation works in strips: the same "
                     "result in half as much time again; 0: no limit.",
                     0, 1000000},
         o.memory_limit);
+  visit(OptionField{"pin_threads", "",
+                    "Keep each thread on a core of its own; taskset chooses which cores."},
+        o.pin_threads);
 
   visit(OptionField{"alignment/mode", "",
                     "Warp the right image by a fitted y' = a y + b: off, on, or auto (only where "

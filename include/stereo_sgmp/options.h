@@ -116,6 +116,7 @@ struct Options {
   int num_disparities = 128;
   int threads = 0;
   int memory_limit = 0;
+  bool pin_threads = false;
   AlignmentOptions alignment;
   CostOptions cost;
   AggregationOptions aggregation;

@@ -1,12 +1,49 @@
 #include "common/thread_pool.h"
 
+#include <pthread.h>
+#include <sched.h>
+
 #include <algorithm>
+#include <cstddef>
 
 namespace stereo_sgmp {
+namespace {
 
-ThreadPool::ThreadPool(int threads) {
-  if (threads <= 0) threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  for (int i = 1; i < threads; ++i) workers_.emplace_back([this, i] { Work(i); });
+// The cores that this process may run on; empty where the system does not say.
+std::vector<int> UsableCores() {
+  std::vector<int> cores;
+  cpu_set_t usable;
+  if (sched_getaffinity(0, sizeof(usable), &usable) != 0) return cores;
+  for (int core = 0; core < CPU_SETSIZE; ++core) {
+    if (CPU_ISSET(core, &usable)) cores.push_back(core);
+  }
+  return cores;
+}
+
+// Where that fails, the thread runs where it would have without.
+void PinTo(int core, std::thread* thread) {
+  cpu_set_t only;
+  CPU_ZERO(&only);
+  CPU_SET(core, &only);
+  pthread_setaffinity_np(thread->native_handle(), sizeof(only), &only);
+}
+
+}  // namespace
+
+int ThreadPool::Count(int threads) {
+  if (threads > 0) return threads;
+  const auto usable = static_cast<int>(UsableCores().size());
+  if (usable > 0) return usable;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+ThreadPool::ThreadPool(int threads, bool pinned) {
+  const int count = Count(threads);
+  const std::vector<int> cores = pinned ? UsableCores() : std::vector<int>();
+  for (int i = 1; i < count; ++i) {
+    workers_.emplace_back([this, i] { Work(i); });
+    if (!cores.empty()) PinTo(cores[static_cast<std::size_t>(i) % cores.size()], &workers_.back());
+  }
 }
 
 ThreadPool::~ThreadPool() {

@@ -14,8 +14,13 @@ namespace stereo_sgmp {
 // Threads that sleep between tasks. One task at a time; a task must not start another.
 class ThreadPool {
  public:
-  // 0 takes the number of cores. The calling thread works too, so one fewer is started.
-  explicit ThreadPool(int threads);
+  // The threads that `threads` stands for: 0 takes the cores that this process may run on.
+  static int Count(int threads);
+
+  // The calling thread works too, so one fewer than Count(threads) is started. `pinned` keeps
+  // each of those on a core of its own, as far as there are as many, from the second on of the
+  // cores that this process may run on; the caller's thread stays as it is.
+  explicit ThreadPool(int threads, bool pinned = false);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;

@@ -95,15 +95,15 @@ void ImagePair::Prepare(const cv::Mat& left, const cv::Mat& right) {
   ToColor(left_8bit_, left_gray_, &left_color_);
 }
 
-void ImagePair::Shrink(const ImagePair& full, cv::Size size) {
-  cv::resize(full.left_gray_, left_gray_, size, 0, 0, cv::INTER_AREA);
-  cv::resize(full.right_gray_, right_gray_, size, 0, 0, cv::INTER_AREA);
+void ImagePair::Shrink(const ImagePair& full, cv::Size size, ThreadPool* pool) {
+  shrinker_.Shrink(full.left_gray_, size, &left_gray_, pool);
+  shrinker_.Shrink(full.right_gray_, size, &right_gray_, pool);
   if (full.left_color_.channels() == 1) {
     left_color_ = left_gray_;
     return;
   }
   if (left_color_.channels() == 1) left_color_.release();
-  cv::resize(full.left_color_, left_color_, size, 0, 0, cv::INTER_AREA);
+  shrinker_.Shrink(full.left_color_, size, &left_color_, pool);
 }
 
 }  // namespace stereo_sgmp

@@ -3,6 +3,9 @@
 
 #include <opencv2/core.hpp>
 
+#include "common/thread_pool.h"
+#include "images/area_shrinker.h"
+
 namespace stereo_sgmp {
 
 // A stereo pair in the forms that matching works on. Buffers are kept between frames.
@@ -14,7 +17,7 @@ class ImagePair {
   void Prepare(const cv::Mat& left, const cv::Mat& right);
 
   // Area-averaged to `size`, for the coarse pass.
-  void Shrink(const ImagePair& full, cv::Size size);
+  void Shrink(const ImagePair& full, cv::Size size, ThreadPool* pool);
 
   cv::Size size() const { return left_gray_.size(); }
   const cv::Mat& left_gray() const { return left_gray_; }    // CV_8UC1
@@ -29,6 +32,7 @@ class ImagePair {
   cv::Mat left_color_;
   cv::Mat left_8bit_;
   cv::Mat right_8bit_;
+  AreaShrinker shrinker_;
 };
 
 }  // namespace stereo_sgmp

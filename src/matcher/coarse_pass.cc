@@ -39,7 +39,7 @@ VolumeShape CoarsePass::Shape(const Options& options, cv::Size full) {
 
 void CoarsePass::Run(const Options& options, const ImagePair& full, ThreadPool* pool) {
   const VolumeShape shape = Shape(options, full.size());
-  images_.Shrink(full, {shape.width, shape.height});
+  images_.Shrink(full, {shape.width, shape.height}, pool);
   // The exposures of the two images are not known yet: absolute differences would mislead.
   RadiometricFit unknown;
   unknown.ad_weight = 0.0;

@@ -1,6 +1,8 @@
 #include "matcher/disparity_refiner.h"
 
 #include <algorithm>
+#include <iterator>
+#include <mutex>
 
 #include "refinement/confidence.h"
 #include "refinement/fill.h"
@@ -15,30 +17,26 @@ namespace {
 constexpr int kSuperpixelSize = 30;
 constexpr double kCompactness = 10.0;
 
-// 255 where the left and the right winner agree, which tells occlusions and blunders apart from
-// the rest; everywhere if the check is off.
-void LeftRightMask(const WinnerMap& winners, double tolerance, ThreadPool* pool, cv::Mat* mask) {
-  mask->create(winners.winner.size(), CV_8U);
-  if (tolerance < 0.0) {
-    mask->setTo(255);
-    return;
+// The pixels of each reason in a row, added to `counts`. Several counters in turn, since a counter
+// would wait for its last increment where neighbours are alike.
+void CountRow(const std::uint8_t* row, int width, int (&counts)[kInvalidReasonCount]) {
+  constexpr int kLanes = 4;
+  int lanes[kLanes][kInvalidReasonCount] = {};
+  for (int x = 0; x < width; ++x) ++lanes[x % kLanes][row[x]];
+  for (const auto& lane : lanes) {
+    for (int reason = 0; reason < kInvalidReasonCount; ++reason) counts[reason] += lane[reason];
   }
-  pool->ForRanges(mask->rows, [&](int begin, int end) {
-    const int worst = static_cast<int>(tolerance) + 1;
-    for (int y = begin; y < end; ++y) {
-      const LeftRightRow row(winners, y);
-      std::uint8_t* out = mask->ptr(y);
-      for (int x = 0; x < mask->cols; ++x) out[x] = row.Difference(x, worst) < worst ? 255 : 0;
-    }
-  });
 }
 
-void CountReasons(const cv::Mat& reason, MatchStatistics* statistics) {
+void CountReasons(const cv::Mat& reason, ThreadPool* pool, MatchStatistics* statistics) {
   std::fill(std::begin(statistics->reasons), std::end(statistics->reasons), 0);
-  for (int y = 0; y < reason.rows; ++y) {
-    const std::uint8_t* row = reason.ptr(y);
-    for (int x = 0; x < reason.cols; ++x) ++statistics->reasons[row[x]];
-  }
+  std::mutex mutex;
+  pool->ForRanges(reason.rows, [&](int begin, int end) {
+    int counts[kInvalidReasonCount] = {};
+    for (int y = begin; y < end; ++y) CountRow(reason.ptr(y), reason.cols, counts);
+    const std::lock_guard<std::mutex> lock(mutex);
+    for (int i = 0; i < kInvalidReasonCount; ++i) statistics->reasons[i] += counts[i];
+  });
   const double valid = statistics->reasons[static_cast<int>(InvalidReason::kValid)];
   statistics->density = valid / static_cast<double>(reason.total());
 }
@@ -50,23 +48,35 @@ void DisparityRefiner::Run(const WinnerMap& winners, const cv::Mat& image, const
   const FilterOptions& filter = options.filter;
   RefineSubpixel(winners, options.refinement.subpixel, &result->raw, pool);
   UncertaintyImage(winners, &result->uncertainty);
-  ComputeConfidence(winners, filter.confidence, options.aggregation.p1, &result->confidence, pool);
-  MakeDense(winners, image, options, pool, result);
-  FindInvalid(winners, result->dense, result->confidence, filter, &result->reason, pool);
-  speckle_.Mark(result->dense, filter.speckle_size, filter.speckle_range, &result->reason);
-  CountReasons(result->reason, &result->statistics);
+  LeftRightDifferences(winners, &left_right_, pool);
+  ComputeConfidence(winners, left_right_, filter.confidence, options.aggregation.p1,
+                    &result->confidence, pool);
+  MakeDense(winners.shape, image, options, pool, result);
+  FindInvalid(winners, left_right_, result->dense, result->confidence, filter, &result->reason,
+              pool);
+  speckle_.Mark(result->dense, filter.speckle_size, filter.speckle_range, &result->reason, pool);
+  CountReasons(result->reason, pool, &result->statistics);
 }
 
-void DisparityRefiner::MakeDense(const WinnerMap& winners, const cv::Mat& image,
+void DisparityRefiner::FindAgreeing(double tolerance, ThreadPool* pool) {
+  if (tolerance < 0.0) {
+    valid_.create(left_right_.size(), CV_8U);
+    valid_.setTo(255);
+    return;
+  }
+  LeftRightMask(left_right_, static_cast<int>(tolerance) + 1, &valid_, pool);
+}
+
+void DisparityRefiner::MakeDense(const VolumeShape& shape, const cv::Mat& image,
                                  const Options& options, ThreadPool* pool, MatchResult* result) {
   const RefinementOptions& refinement = options.refinement;
-  LeftRightMask(winners, options.filter.lr_tolerance, pool, &valid_);
+  FindAgreeing(options.filter.lr_tolerance, pool);
   cv::Mat& disparity = refinement.median ? filled_ : result->dense;
   result->raw.copyTo(disparity);
   if (refinement.superpixel_planes) {
     superpixels_.Segment(image, kSuperpixelSize, kCompactness, pool);
-    superpixel_planes_.Apply(superpixels_.labels(), superpixels_.count(), result->confidence,
-                             winners.shape, &disparity, &valid_, pool);
+    superpixel_planes_.Apply(superpixels_.labels(), superpixels_.count(), result->confidence, shape,
+                             &disparity, &valid_, pool);
   }
   FillScanlines(valid_, static_cast<float>(options.min_disparity), &disparity, pool);
   if (refinement.weighted_median) {

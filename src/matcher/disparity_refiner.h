@@ -25,9 +25,13 @@ class DisparityRefiner {
            MatchResult* result);
 
  private:
-  void MakeDense(const WinnerMap& winners, const cv::Mat& image, const Options& options,
+  // The pixels whose left and right winner agree, which tells occlusions and blunders apart from
+  // the rest; all if the check is off.
+  void FindAgreeing(double tolerance, ThreadPool* pool);
+  void MakeDense(const VolumeShape& shape, const cv::Mat& image, const Options& options,
                  ThreadPool* pool, MatchResult* result);
 
+  cv::Mat left_right_;  // LeftRightDifferences
   cv::Mat valid_;
   cv::Mat filled_;
   Superpixels superpixels_;

@@ -37,8 +37,9 @@ class Matcher::Impl {
 
   void SetOptions(const Options& options) {
     CheckOptions(options);
-    if (!pool_ || options.threads != options_.threads) {
-      pool_ = std::make_unique<ThreadPool>(options.threads);
+    if (!pool_ || options.threads != options_.threads ||
+        options.pin_threads != options_.pin_threads) {
+      pool_ = std::make_unique<ThreadPool>(options.threads, options.pin_threads);
     }
     options_ = options;
   }

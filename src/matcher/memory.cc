@@ -1,15 +1,14 @@
 #include "matcher/memory.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <thread>
 
 #include "aggregation/aggregator.h"
+#include "common/thread_pool.h"
 #include "cost/cost_computer.h"
 #include "matcher/coarse_pass.h"
 #include "matcher/path_unit.h"
@@ -21,8 +20,9 @@ namespace {
 constexpr double kMegabyte = 1024.0 * 1024.0;
 
 // Bytes per pixel of the images that stages and results keep: gray and colour copies, five
-// float images of the refinement and those of a MatchResult, masks and labels.
-constexpr std::size_t kImageBytesPerPixel = 80;
+// float images of the refinement and its left-right differences, those of a MatchResult, masks
+// and labels.
+constexpr std::size_t kImageBytesPerPixel = 82;
 
 // Bytes per pixel of a prior from normals: shape and component of the surfaces, of the frame
 // before too, and what they are integrated to.
@@ -47,11 +47,6 @@ std::size_t AvailableMemory() {
 
 std::size_t Pixels(const VolumeShape& shape) {
   return static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height);
-}
-
-int Threads(const Options& options) {
-  return options.threads > 0 ? options.threads
-                             : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 // Of what a variant's prior holds besides the masks and labels of all of them.
@@ -86,7 +81,8 @@ std::size_t MemoryBesides(const Options& options, cv::Size image_size, const Mat
   aggregation.scheme = PathScheme::kEight;
   const std::size_t costs = inputs.costs != nullptr ? 0 : CostMemory(options.cost, full);
   return costs + CostMemory(options.cost, coarse) +
-         Aggregator::Memory(coarse, aggregation, PathUnit(options, false), Threads(options), 0) +
+         Aggregator::Memory(coarse, aggregation, PathUnit(options, false),
+                            ThreadPool::Count(options.threads), 0) +
          PriorMemory(options.prior.variant, full, coarse) + Pixels(full) * kImageBytesPerPixel;
 }
 
@@ -97,14 +93,16 @@ int StripRows(const Options& options, cv::Size image_size, const MatchInputs& in
   const auto limit = static_cast<std::size_t>(options.memory_limit * kMegabyte);
   const std::size_t besides = MemoryBesides(options, image_size, inputs);
   return Aggregator::StripRows(FullShape(options, image_size), options.aggregation,
-                               PathUnit(options, inputs.costs != nullptr), Threads(options),
+                               PathUnit(options, inputs.costs != nullptr),
+                               ThreadPool::Count(options.threads),
                                limit > besides ? limit - besides : 0);
 }
 
 std::size_t EstimateMemory(const Options& options, cv::Size image_size, const MatchInputs& inputs) {
   return MemoryBesides(options, image_size, inputs) +
          Aggregator::Memory(FullShape(options, image_size), options.aggregation,
-                            PathUnit(options, inputs.costs != nullptr), Threads(options),
+                            PathUnit(options, inputs.costs != nullptr),
+                            ThreadPool::Count(options.threads),
                             StripRows(options, image_size, inputs));
 }
 

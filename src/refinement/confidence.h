@@ -16,8 +16,9 @@ namespace stereo_sgmp {
 // winner differ, up to 10. Mapped to 0..1 by a strictly rising function that comes close to the
 // share of pixels that are right within one pixel.
 // kUncertainty: 1 / (1 + U_p / (8 P1)), 1 where all paths agree.
-void ComputeConfidence(const WinnerMap& map, ConfidenceMeasure measure, int p1, cv::Mat* confidence,
-                       ThreadPool* pool);
+// `left_right` is what LeftRightDifferences makes.
+void ComputeConfidence(const WinnerMap& map, const cv::Mat& left_right, ConfidenceMeasure measure,
+                       int p1, cv::Mat* confidence, ThreadPool* pool);
 
 // U_p of the paper as CV_32F.
 void UncertaintyImage(const WinnerMap& map, cv::Mat* uncertainty);

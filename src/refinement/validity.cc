@@ -1,8 +1,8 @@
 #include "refinement/validity.h"
 
+#include <cmath>
 #include <cstdint>
 
-#include "refinement/left_right.h"
 #include "stereo_sgmp/match_result.h"
 
 namespace stereo_sgmp {
@@ -12,63 +12,76 @@ namespace {
 // occlusions, whose filling would agree with the right image's winners for no good reason.
 constexpr double kMendable = 2.0;
 
-// The checks of one row of pixels.
-class RowChecks {
- public:
-  RowChecks(const WinnerMap& map, const cv::Mat& disparity, const cv::Mat& confidence,
-            const FilterOptions& options, int y)
-      : options_(options),
-        last_(map.shape.disparities - 1),
-        winner_(map.winner[y]),
-        cost_(map.cost[y]),
-        second_(map.second[y]),
-        disparity_(disparity.ptr<float>(y)),
-        confidence_(confidence.ptr<float>(y)),
-        left_right_(map, y) {}
+// As std::lround, which is slow. `value` is far from the ends of int.
+int RoundHalfAway(float value) {
+  const int whole = static_cast<int>(value);
+  const float rest = value - static_cast<float>(whole);  // exact
+  return whole + static_cast<int>(rest >= 0.5f) - static_cast<int>(rest <= -0.5f);
+}
 
-  InvalidReason At(int x) const {
-    if (IsAtRangeEnd(x)) return InvalidReason::kRange;
-    if (!left_right_.IsMatchInside(x)) return InvalidReason::kBorder;
-    if (confidence_[x] < options_.min_confidence) return InvalidReason::kUncertainty;
-    if (DoSidesDisagree(x)) return InvalidReason::kLeftRight;
-    if (IsAmbiguous(x)) return InvalidReason::kUniqueness;
-    return InvalidReason::kValid;
+// All checks of a pixel are made and the first that applies is chosen: branches would mispredict.
+// What the loop needs stands in locals, since the compiler must take stores to `out` for changes of
+// anything else.
+void FindInvalidInRow(const WinnerMap& map, const std::uint16_t* left_right,
+                      const float* disparities, const float* confidences,
+                      const FilterOptions& options, int y, std::uint8_t* out) {
+  const std::uint16_t* const winners = map.winner[y];
+  const std::uint16_t* const right_winners = map.right_winner[y];
+  const int width = map.shape.width;
+  const int min_disparity = map.shape.min_disparity;
+  // Of two disparities, both are ends.
+  const int first = map.shape.disparities > 2 ? 0 : -1;
+  const int last = map.shape.disparities > 2 ? map.shape.disparities - 1 : -1;
+  const double min_confidence = options.min_confidence;
+  const bool check_sides = options.lr_tolerance >= 0.0;
+  const double tolerance = options.lr_tolerance;
+  const double mendable = kMendable * tolerance;
+  const auto is_inside = [=](int x) {
+    return static_cast<unsigned>(x) < static_cast<unsigned>(width);
+  };
+  for (int x = 0; x < width; ++x) {
+    const int winner = winners[x];
+    const float disparity = disparities[x];
+    const int match = x - RoundHalfAway(disparity);
+    const bool has_match = is_inside(match);
+    const int right = right_winners[has_match ? match : 0];
+    const double apart = std::abs(right + min_disparity - static_cast<double>(disparity));
+    const bool disagree =
+        !has_match | (right == WinnerMap::kNone) | (apart > tolerance) | (left_right[x] > mendable);
+    InvalidReason reason =
+        check_sides & disagree ? InvalidReason::kLeftRight : InvalidReason::kValid;
+    reason = confidences[x] < min_confidence ? InvalidReason::kUncertainty : reason;
+    reason = is_inside(x - min_disparity - winner) ? reason : InvalidReason::kBorder;
+    reason = (winner == first) | (winner == last) ? InvalidReason::kRange : reason;
+    out[x] = static_cast<std::uint8_t>(reason);
   }
+}
 
- private:
-  bool IsAtRangeEnd(int x) const { return last_ > 1 && (winner_[x] == 0 || winner_[x] == last_); }
-
-  bool DoSidesDisagree(int x) const {
-    if (options_.lr_tolerance < 0.0) return false;
-    return left_right_.DifferenceTo(disparity_[x], x) > options_.lr_tolerance ||
-           left_right_.Difference(x, WinnerMap::kNone) > kMendable * options_.lr_tolerance;
+// As OpenCV's StereoSGBM asks for; the last of the reasons.
+void FindAmbiguousInRow(const WinnerMap& map, double uniqueness_ratio, int y, std::uint8_t* out) {
+  const std::uint16_t* const cost = map.cost[y];
+  const std::uint16_t* const second = map.second[y];
+  for (int x = 0; x < map.shape.width; ++x) {
+    const bool ambiguous =
+        second[x] != WinnerMap::kNone && second[x] * (100.0 - uniqueness_ratio) < cost[x] * 100.0;
+    if (ambiguous && out[x] == static_cast<std::uint8_t>(InvalidReason::kValid)) {
+      out[x] = static_cast<std::uint8_t>(InvalidReason::kUniqueness);
+    }
   }
-
-  bool IsAmbiguous(int x) const {
-    return options_.uniqueness_ratio > 0.0 && second_[x] != WinnerMap::kNone &&
-           second_[x] * (100.0 - options_.uniqueness_ratio) < cost_[x] * 100.0;
-  }
-
-  const FilterOptions& options_;
-  const int last_;
-  const std::uint16_t* const winner_;
-  const std::uint16_t* const cost_;
-  const std::uint16_t* const second_;
-  const float* const disparity_;
-  const float* const confidence_;
-  const LeftRightRow left_right_;
-};
+}
 
 }  // namespace
 
-void FindInvalid(const WinnerMap& map, const cv::Mat& disparity, const cv::Mat& confidence,
-                 const FilterOptions& options, cv::Mat* reason, ThreadPool* pool) {
+void FindInvalid(const WinnerMap& map, const cv::Mat& left_right, const cv::Mat& disparity,
+                 const cv::Mat& confidence, const FilterOptions& options, cv::Mat* reason,
+                 ThreadPool* pool) {
   reason->create(map.winner.size(), CV_8U);
   pool->ForRanges(reason->rows, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
-      const RowChecks checks(map, disparity, confidence, options, y);
       std::uint8_t* row = reason->ptr<std::uint8_t>(y);
-      for (int x = 0; x < reason->cols; ++x) row[x] = static_cast<std::uint8_t>(checks.At(x));
+      FindInvalidInRow(map, left_right.ptr<std::uint16_t>(y), disparity.ptr<float>(y),
+                       confidence.ptr<float>(y), options, y, row);
+      if (options.uniqueness_ratio > 0.0) FindAmbiguousInRow(map, options.uniqueness_ratio, y, row);
     }
   });
 }

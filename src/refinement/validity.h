@@ -12,13 +12,15 @@ namespace stereo_sgmp {
 // Why each pixel is to be distrusted: an InvalidReason per pixel, CV_8U, the first that applies
 // of all but kSpeckle. `disparity`, CV_32F, is the map that is checked from left to right: the
 // smoothed one, since a wrong winner that the smoothing has mended agrees with the right image.
-// `confidence` is the image that ComputeConfidence makes.
+// `confidence` is the image that ComputeConfidence makes, `left_right` that of
+// LeftRightDifferences.
 //
 // Range applies to more than two disparities, as both are ends otherwise. A negative
 // lr_tolerance switches left-right off. Uniqueness asks, as OpenCV's StereoSGBM does, that the
 // best cost be lower than the second best by uniqueness_ratio percent of the latter.
-void FindInvalid(const WinnerMap& map, const cv::Mat& disparity, const cv::Mat& confidence,
-                 const FilterOptions& options, cv::Mat* reason, ThreadPool* pool);
+void FindInvalid(const WinnerMap& map, const cv::Mat& left_right, const cv::Mat& disparity,
+                 const cv::Mat& confidence, const FilterOptions& options, cv::Mat* reason,
+                 ThreadPool* pool);
 
 }  // namespace stereo_sgmp
 

@@ -66,12 +66,13 @@ TEST(ImagePairTest, AlphaIsDroppedAndColourKept) {
 }
 
 TEST(ImagePairTest, TypesMayChangeFromFrameToFrame) {
+  ThreadPool pool(2);
   ImagePair full;
   ImagePair coarse;
   for (const int type : {CV_8UC3, CV_8UC1, CV_16UC1, CV_8UC4, CV_16UC3, CV_8UC1}) {
     const cv::Mat image = RandomImage(8, 12, type, 256);
     full.Prepare(image, image);
-    coarse.Shrink(full, {3, 2});
+    coarse.Shrink(full, {3, 2}, &pool);
     EXPECT_EQ(full.left_gray().type(), CV_8UC1);
     EXPECT_EQ(full.left_color().channels(), image.channels() == 1 ? 1 : 3);
     EXPECT_EQ(coarse.left_color().size(), cv::Size(3, 2));

@@ -3,10 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 #include "scene/generated_scene.h"
 #include "stereo_sgmp/presets.h"
@@ -107,6 +110,21 @@ TEST_P(PresetTest, TinyImagesAreMatched) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PresetTest, ::testing::Values("default", "quality", "paper"));
+
+TEST(MatcherTest, NothingWorksBetweenFrames) {
+  const GeneratedScene scene = SmallRoom();
+  Options options = SmallOptions();
+  options.threads = 3;
+  options.pin_threads = true;
+  options.alignment.mode = AlignmentMode::kOff;  // or the first frames' fit may still be going on
+  Matcher matcher(options);
+  MatchResult result;
+  for (int i = 0; i < 3; ++i) matcher.Match(scene.left, scene.right, &result);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  const std::clock_t before = std::clock();  // of all threads
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_LT(std::clock() - before, CLOCKS_PER_SEC / 100);
+}
 
 TEST(MatcherTest, StatisticsDescribeTheResult) {
   const GeneratedScene scene = SmallRoom();

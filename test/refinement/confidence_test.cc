@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "refinement/left_right.h"
 #include "winner_maps.h"
 
 namespace stereo_sgmp {
@@ -16,8 +17,10 @@ constexpr int kP1 = 100;
 
 cv::Mat ConfidenceOf(const WinnerMap& map, ConfidenceMeasure measure, int threads = 1) {
   ThreadPool pool(threads);
+  cv::Mat left_right;
+  LeftRightDifferences(map, &left_right, &pool);
   cv::Mat confidence;
-  ComputeConfidence(map, measure, kP1, &confidence, &pool);
+  ComputeConfidence(map, left_right, measure, kP1, &confidence, &pool);
   return confidence;
 }
 

@@ -15,9 +15,11 @@ namespace {
 constexpr auto kSpeckle = static_cast<std::uint8_t>(InvalidReason::kSpeckle);
 constexpr auto kLeftRight = static_cast<std::uint8_t>(InvalidReason::kLeftRight);
 
-cv::Mat Mark(const cv::Mat& disparity, const cv::Mat& reason, int size, double range) {
+cv::Mat Mark(const cv::Mat& disparity, const cv::Mat& reason, int size, double range,
+             int threads = 2) {
+  ThreadPool pool(threads);
   cv::Mat marked = reason.clone();
-  SpeckleFilter().Mark(disparity, size, range, &marked);
+  SpeckleFilter().Mark(disparity, size, range, &marked, &pool);
   return marked;
 }
 
@@ -63,8 +65,10 @@ TEST(SpeckleTest, EqualsFloodFillOnRandomMaps) {
       }
       for (const float range : {0.0f, 1.0f}) {
         const cv::Mat expected = ReferenceMark(disparity, reason, 9, range);
-        const cv::Mat actual = Mark(disparity, reason, 9, range);
-        EXPECT_EQ(cv::countNonZero(expected != actual), 0) << size << levels << range;
+        for (const int threads : {1, 2, 5}) {
+          const cv::Mat actual = Mark(disparity, reason, 9, range, threads);
+          EXPECT_EQ(cv::countNonZero(expected != actual), 0) << size << levels << range;
+        }
       }
     }
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "refinement/left_right.h"
 #include "stereo_sgmp/match_result.h"
 #include "winner_maps.h"
 
@@ -27,8 +28,10 @@ class ValidityTest : public testing::Test {
     if (disparity.empty()) {
       map_.winner.convertTo(disparity, CV_32F, 1.0, map_.shape.min_disparity);
     }
+    cv::Mat left_right;
+    LeftRightDifferences(map_, &left_right, &pool);
     cv::Mat reason;
-    FindInvalid(map_, disparity, confidence_, options_, &reason, &pool);
+    FindInvalid(map_, left_right, disparity, confidence_, options_, &reason, &pool);
     return static_cast<InvalidReason>(reason.at<std::uint8_t>(0, x));
   }
   InvalidReason Reason() { return ReasonAt(kColumn); }

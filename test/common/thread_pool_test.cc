@@ -1,0 +1,93 @@
+#include "common/thread_pool.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sched.h>
+
+#include <atomic>
+#include <chrono>
+#include <ctime>
+#include <set>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+namespace stereo_sgmp {
+namespace {
+
+// The cores that the calling thread may run on.
+std::set<int> UsableCores() {
+  cpu_set_t usable;
+  EXPECT_EQ(sched_getaffinity(0, sizeof(usable), &usable), 0);
+  std::set<int> cores;
+  for (int core = 0; core < CPU_SETSIZE; ++core) {
+    if (CPU_ISSET(core, &usable)) cores.insert(core);
+  }
+  return cores;
+}
+
+TEST(ThreadPoolTest, RunsEachPartOnAThreadOfItsOwn) {
+  ThreadPool pool(3);
+  EXPECT_EQ(pool.size(), 3);
+  std::vector<std::thread::id> ids(3);
+  for (int round = 0; round < 100; ++round) {
+    pool.Run([&](int i) { ids[static_cast<std::size_t>(i)] = std::this_thread::get_id(); });
+    EXPECT_EQ(ids[0], std::this_thread::get_id());
+    EXPECT_EQ(std::set<std::thread::id>(ids.begin(), ids.end()).size(), 3U);
+  }
+}
+
+TEST(ThreadPoolTest, RangesCoverTheCountOnce) {
+  ThreadPool pool(4);
+  for (const int count : {0, 1, 3, 4, 5, 1000}) {
+    std::vector<std::atomic<int>> visits(static_cast<std::size_t>(count));
+    pool.ForRanges(count, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) ++visits[static_cast<std::size_t>(i)];
+    });
+    for (const std::atomic<int>& visit : visits) EXPECT_EQ(visit, 1) << count;
+  }
+}
+
+TEST(ThreadPoolTest, PassesAnExceptionOnAndGoesOn) {
+  ThreadPool pool(2);
+  for (const int thrower : {0, 1}) {
+    EXPECT_THROW(pool.Run([&](int i) {
+      if (i == thrower) throw std::runtime_error("as wanted");
+    }),
+                 std::runtime_error);
+    std::atomic<int> parts{0};
+    pool.Run([&](int) { ++parts; });
+    EXPECT_EQ(parts, 2);
+  }
+}
+
+TEST(ThreadPoolTest, ZeroTakesTheCoresOfTheProcess) {
+  EXPECT_EQ(ThreadPool::Count(0), static_cast<int>(UsableCores().size()));
+  EXPECT_EQ(ThreadPool::Count(5), 5);
+}
+
+TEST(ThreadPoolTest, PinnedThreadsKeepToOneCoreEachAndTheCallerToNone) {
+  const std::set<int> all = UsableCores();
+  ThreadPool pool(0, true);
+  std::vector<std::set<int>> cores(static_cast<std::size_t>(pool.size()));
+  pool.Run([&](int i) { cores[static_cast<std::size_t>(i)] = UsableCores(); });
+  EXPECT_EQ(cores[0], all);
+  std::set<int> taken;
+  for (std::size_t i = 1; i < cores.size(); ++i) {
+    ASSERT_EQ(cores[i].size(), 1U);
+    taken.insert(*cores[i].begin());
+  }
+  EXPECT_EQ(taken.size(), cores.size() - 1);
+  EXPECT_THAT(taken, ::testing::IsSubsetOf(all));
+}
+
+TEST(ThreadPoolTest, IdleThreadsTakeNoTime) {
+  ThreadPool pool(4);
+  pool.Run([](int) {});
+  const std::clock_t before = std::clock();  // of all threads
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_LT(std::clock() - before, CLOCKS_PER_SEC / 100);
+}
+
+}  // namespace
+}  // namespace stereo_sgmp

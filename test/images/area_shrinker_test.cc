@@ -1,0 +1,34 @@
+#include "images/area_shrinker.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+
+namespace stereo_sgmp {
+namespace {
+
+TEST(AreaShrinkerTest, EqualsOpenCvOnAnyNumberOfThreads) {
+  ThreadPool one(1);
+  ThreadPool three(3);
+  AreaShrinker shrinker;
+  cv::RNG rng(1);
+  const cv::Size sizes[][2] = {{{144, 99}, {36, 25}}, {{128, 72}, {43, 24}}, {{97, 31}, {31, 30}},
+                               {{64, 48}, {32, 24}},  {{50, 3}, {17, 1}},    {{7, 5}, {7, 4}},
+                               {{1, 9}, {1, 2}},      {{300, 201}, {19, 13}}};
+  for (const auto& [from, to] : sizes) {
+    for (const int type : {CV_8UC1, CV_8UC3}) {
+      cv::Mat image(from, type);
+      rng.fill(image, cv::RNG::UNIFORM, 0, 256);
+      cv::Mat expected;
+      cv::resize(image, expected, to, 0, 0, cv::INTER_AREA);
+      for (ThreadPool* pool : {&one, &three}) {
+        cv::Mat shrunk;
+        shrinker.Shrink(image, to, &shrunk, pool);
+        EXPECT_EQ(cv::norm(shrunk, expected, cv::NORM_INF), 0.0) << from << " to " << to;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace stereo_sgmp
