@@ -12,6 +12,7 @@
 #include "aggregation/aggregator.h"
 #include "cost/cost_computer.h"
 #include "matcher/coarse_pass.h"
+#include "refinement/plane_propagation.h"
 #include "stereo_sgmp/matcher.h"
 
 namespace stereo_sgmp {
@@ -46,6 +47,10 @@ std::size_t AvailableMemory() {
 
 std::size_t Pixels(const VolumeShape& shape) {
   return static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height);
+}
+
+std::size_t RefinementMemory(const RefinementOptions& options, const VolumeShape& shape) {
+  return options.plane_propagation ? Pixels(shape) * PlanePropagation::kBytesPerPixel : 0;
 }
 
 std::size_t AggregationMemory(const Options& options, const VolumeShape& shape, PathScheme scheme) {
@@ -84,7 +89,8 @@ std::size_t EstimateMemory(const Options& options, cv::Size image_size, const Ma
   const std::size_t costs = inputs.costs != nullptr ? 0 : CostMemory(options.cost, full);
   return costs + AggregationMemory(options, full, options.aggregation.scheme) +
          CostMemory(options.cost, coarse) + AggregationMemory(options, coarse, PathScheme::kEight) +
-         PriorMemory(options.prior.variant, full, coarse) + Pixels(full) * kImageBytesPerPixel;
+         PriorMemory(options.prior.variant, full, coarse) +
+         RefinementMemory(options.refinement, full) + Pixels(full) * kImageBytesPerPixel;
 }
 
 void CheckMemory(const Options& options, cv::Size image_size, const MatchInputs& inputs,
