@@ -7,7 +7,7 @@ namespace stereo_sgmp {
 namespace {
 
 constexpr int kRounds = 2;
-constexpr float kReach = 2.0f;        // a step of one pixel counts like this channel difference
+constexpr float kReach = 3.0f;        // a step of one pixel counts like this channel difference
 constexpr float kColorScale = 40.0f;  // channel difference at which a link has fallen to 1/e
 constexpr float kGateOffset = 1.5f;   // links fall from 0.2 pixels of disparity on
 constexpr float kGateSlope = 2.5f;    // and end at 0.6

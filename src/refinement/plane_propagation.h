@@ -19,7 +19,7 @@ namespace stereo_sgmp {
 // the surface goes on: a least-squares plane at each pixel p over all others q, weighted by
 //   (confidence(q)^8 + 1e-6) times the product of the links between q and p.
 // q links to p along its row to the column of p, and then along that column. The link of two
-// neighbours is exp(-(2 + D) / 40) min(1, max(0, 1.5 - 2.5 |d - d'|)), D being the largest
+// neighbours is exp(-(3 + D) / 40) min(1, max(0, 1.5 - 2.5 |d - d'|)), D being the largest
 // channel difference of the image and d, d' their disparities: no way leads across a step of
 // 0.6 pixels. A ridge of 0.1 px^2 keeps the slopes steady.
 //

@@ -74,7 +74,7 @@ float Link(const Scene& scene, cv::Point p, cv::Point q) {
     difference = std::max(difference, std::abs(a - b));
   }
   const float step = std::abs(scene.disparity.at<float>(p) - scene.disparity.at<float>(q));
-  return std::exp(-(2.0f + static_cast<float>(difference)) / 40.0f) *
+  return std::exp(-(3.0f + static_cast<float>(difference)) / 40.0f) *
          std::min(1.0f, std::max(0.0f, 1.5f - 2.5f * step));
 }
 
