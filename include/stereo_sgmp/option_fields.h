@@ -219,11 +219,14 @@ void VisitOptions(OptionsT& o, Visitor&& visit) {
   visit(OptionField{"refinement/weighted_median", "",
                     "7x7 median of the filled disparities, weighted by colour and confidence."},
         o.refinement.weighted_median);
+  visit(OptionField{"refinement/plane_propagation", "",
+                    "Unsure pixels move onto the plane of the surer ones of the same surface."},
+        o.refinement.plane_propagation);
   visit(OptionField{"refinement/plane_smoothing", "",
                     "Local, colour-weighted plane fit of the disparities."},
         o.refinement.plane_smoothing);
   visit(OptionField{"refinement/superpixel_planes", "",
-                    "Holes and unsure pixels take the plane fitted to their superpixel."},
+                    "Holes take the plane fitted to their superpixel."},
         o.refinement.superpixel_planes);
 
   visit(OptionField{"filter/confidence", "",

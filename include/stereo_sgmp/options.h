@@ -98,6 +98,7 @@ struct RefinementOptions {
   Subpixel subpixel = Subpixel::kBlend;
   bool median = true;
   bool weighted_median = false;
+  bool plane_propagation = false;
   bool plane_smoothing = false;
   bool superpixel_planes = false;
 };

@@ -4,6 +4,8 @@
 #include <iterator>
 #include <mutex>
 
+#include <opencv2/imgproc.hpp>
+
 #include "refinement/confidence.h"
 #include "refinement/fill.h"
 #include "refinement/left_right.h"
@@ -13,8 +15,8 @@
 namespace stereo_sgmp {
 namespace {
 
-// Superpixels of the refinement: small enough to hold one surface each.
-constexpr int kSuperpixelSize = 30;
+// Superpixels of the refinement, in pixels of half the size: small enough to hold one surface each.
+constexpr int kSuperpixelSize = 15;
 constexpr double kCompactness = 10.0;
 
 // The pixels of each reason in a row, added to `counts`. Several counters in turn, since a counter
@@ -73,20 +75,30 @@ void DisparityRefiner::MakeDense(const VolumeShape& shape, const cv::Mat& image,
   FindAgreeing(options.filter.lr_tolerance, pool);
   cv::Mat& disparity = refinement.median ? filled_ : result->dense;
   result->raw.copyTo(disparity);
-  if (refinement.superpixel_planes) {
-    superpixels_.Segment(image, kSuperpixelSize, kCompactness, pool);
-    superpixel_planes_.Apply(superpixels_.labels(), superpixels_.count(), result->confidence, shape,
-                             &disparity, &valid_, pool);
-  }
-  FillScanlines(valid_, static_cast<float>(options.min_disparity), &disparity, pool);
+  FillHoles(shape, image, refinement, pool, &disparity);
   if (refinement.weighted_median) {
     weighted_median_.Apply(image, result->confidence, disparity, &disparity, pool);
+  }
+  if (refinement.plane_propagation) {
+    propagation_.Apply(image, result->confidence, &disparity, pool);
   }
   if (refinement.plane_smoothing) {
     valid_.setTo(255);  // what was filled lies on a surface now
     smoother_.Smooth(image, valid_, &disparity, pool);
   }
   if (refinement.median) median_.Apply(filled_, &result->dense, pool);
+}
+
+void DisparityRefiner::FillHoles(const VolumeShape& shape, const cv::Mat& image,
+                                 const RefinementOptions& refinement, ThreadPool* pool,
+                                 cv::Mat* disparity) {
+  if (refinement.superpixel_planes) {
+    cv::resize(image, half_, SuperpixelPlanes::LabelSize(image.size()), 0.0, 0.0, cv::INTER_AREA);
+    superpixels_.Segment(half_, kSuperpixelSize, kCompactness, pool);
+    superpixel_planes_.Apply(superpixels_.labels(), superpixels_.count(), shape, disparity, &valid_,
+                             pool);
+  }
+  FillScanlines(valid_, static_cast<float>(shape.min_disparity), disparity, pool);
 }
 
 }  // namespace stereo_sgmp

@@ -7,6 +7,7 @@
 #include "common/thread_pool.h"
 #include "prior/superpixels.h"
 #include "refinement/median.h"
+#include "refinement/plane_propagation.h"
 #include "refinement/plane_smoothing.h"
 #include "refinement/speckle.h"
 #include "refinement/superpixel_planes.h"
@@ -30,12 +31,16 @@ class DisparityRefiner {
   void FindAgreeing(double tolerance, ThreadPool* pool);
   void MakeDense(const VolumeShape& shape, const cv::Mat& image, const Options& options,
                  ThreadPool* pool, MatchResult* result);
+  void FillHoles(const VolumeShape& shape, const cv::Mat& image,
+                 const RefinementOptions& refinement, ThreadPool* pool, cv::Mat* disparity);
 
   cv::Mat left_right_;  // LeftRightDifferences
   cv::Mat valid_;
   cv::Mat filled_;
+  cv::Mat half_;  // the image at half the size, for superpixels
   Superpixels superpixels_;
   SuperpixelPlanes superpixel_planes_;
+  PlanePropagation propagation_;
   PlaneSmoother smoother_;
   MedianFilter median_;
   WeightedMedianFilter weighted_median_;

@@ -12,6 +12,7 @@
 #include "cost/cost_computer.h"
 #include "matcher/coarse_pass.h"
 #include "matcher/path_unit.h"
+#include "refinement/plane_propagation.h"
 #include "stereo_sgmp/matcher.h"
 
 namespace stereo_sgmp {
@@ -49,6 +50,10 @@ std::size_t Pixels(const VolumeShape& shape) {
   return static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height);
 }
 
+std::size_t RefinementMemory(const RefinementOptions& options, const VolumeShape& shape) {
+  return options.plane_propagation ? Pixels(shape) * PlanePropagation::kBytesPerPixel : 0;
+}
+
 // Of what a variant's prior holds besides the masks and labels of all of them.
 std::size_t PriorMemory(Variant variant, const VolumeShape& full, const VolumeShape& coarse) {
   switch (variant) {
@@ -83,7 +88,8 @@ std::size_t MemoryBesides(const Options& options, cv::Size image_size, const Mat
   return costs + CostMemory(options.cost, coarse) +
          Aggregator::Memory(coarse, aggregation, PathUnit(options, false),
                             ThreadPool::Count(options.threads), 0) +
-         PriorMemory(options.prior.variant, full, coarse) + Pixels(full) * kImageBytesPerPixel;
+         PriorMemory(options.prior.variant, full, coarse) +
+         RefinementMemory(options.refinement, full) + Pixels(full) * kImageBytesPerPixel;
 }
 
 }  // namespace

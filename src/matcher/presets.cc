@@ -13,6 +13,7 @@ Options Quality() {
   options.prior.coarse_factor = 3;
   options.refinement.median = false;
   options.refinement.weighted_median = true;
+  options.refinement.plane_propagation = true;
   options.refinement.plane_smoothing = true;
   options.refinement.superpixel_planes = true;
   return options;

@@ -12,9 +12,10 @@
 namespace stereo_sgmp {
 
 // Moves each disparity onto the plane that fits the disparities around it: least squares over
-// 9x9 pixels, weighted by exp(-difference / 12) of the largest channel difference of the image,
-// over the neighbours within 1 + 0.1 max(|dx|, |dy|) pixels of disparity. A small ridge keeps the
-// slopes steady; no disparity moves by more than one pixel. Keeps its buffers from call to call.
+// every second pixel of every second row of 9x9, weighted by exp(-difference / 12) of the largest
+// channel difference of the image, over the neighbours within 1 + 0.1 max(|dx|, |dy|) pixels of
+// disparity. A small ridge keeps the slopes steady; no disparity moves by more than one pixel.
+// Keeps its buffers from call to call.
 class PlaneSmoother {
  public:
   PlaneSmoother();

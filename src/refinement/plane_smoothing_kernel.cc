@@ -55,7 +55,7 @@ HWY_INLINE RowMoments SumWindowRow(const SmoothingRow& row, std::ptrdiff_t x, in
   const DF df;
   const VF zero = hn::Zero(df);
   RowMoments sums = {zero, zero, zero, zero, zero};
-  for (int dx = -kSmoothingRadius; dx <= kSmoothingRadius; ++dx) {
+  for (int dx = -kSmoothingRadius; dx <= kSmoothingRadius; dx += kSmoothingStep) {
     const std::ptrdiff_t neighbour = x + dy * row.stride + dx;
     const int distance = HWY_MAX(dx < 0 ? -dx : dx, dy < 0 ? -dy : dy);
     const VF tolerance =
@@ -96,7 +96,7 @@ HWY_INLINE Moments SumWindow(const SmoothingRow& row, std::ptrdiff_t x, VF dispa
   for (int c = 0; c < kChannels; ++c) center[c] = hn::LoadU(db, row.channels[c] + x);
   const VF zero = hn::Zero(DF());
   Moments sums = {zero, zero, zero, zero, zero, zero, zero, zero, zero};
-  for (int dy = -kSmoothingRadius; dy <= kSmoothingRadius; ++dy) {
+  for (int dy = -kSmoothingRadius; dy <= kSmoothingRadius; dy += kSmoothingStep) {
     AddWindowRow(SumWindowRow<kChannels>(row, x, dy, disparity, center), dy, &sums);
   }
   return sums;

@@ -7,6 +7,7 @@
 namespace stereo_sgmp {
 
 inline constexpr int kSmoothingRadius = 4;
+inline constexpr int kSmoothingStep = 2;  // of the window only every second pixel and row is taken
 
 // Pixels that the kernel may touch beyond the end of a row, apart from the radius: one vector.
 inline constexpr int kSmoothingOverhang = 16;

@@ -10,13 +10,11 @@
 namespace stereo_sgmp {
 namespace {
 
-constexpr int kMinPixels = 30;
+constexpr int kMinPixels = 30;  // of those that are sampled
 constexpr int kTrials = 30;
 constexpr float kInlierDistance = 0.7f;  // pixels of disparity
 constexpr double kMinSupport = 0.5;      // inliers among the valid pixels of a superpixel
 constexpr double kMinTwiceArea = 10.0;   // of a sample's triangle, px^2: thinner ones mislead
-constexpr double kDoubtfulShare = 0.3;   // of the image's pixels
-constexpr double kSnapDistance = 1.5;    // pixels of disparity
 constexpr std::uint8_t kNowValid = 255;
 constexpr std::uint64_t kSeed = 0x9E3779B97F4A7C15u;  // odd: labels give seeds far apart
 
@@ -89,36 +87,32 @@ std::optional<DisparityPlane> RobustPlane(const PixelGroup& group, cv::RNG rando
 
 }  // namespace
 
-void SuperpixelPlanes::Apply(const cv::Mat& labels, int count, const cv::Mat& confidence,
-                             const VolumeShape& shape, cv::Mat* disparity, cv::Mat* valid,
-                             ThreadPool* pool) {
+void SuperpixelPlanes::Apply(const cv::Mat& labels, int count, const VolumeShape& shape,
+                             cv::Mat* disparity, cv::Mat* valid, ThreadPool* pool) {
   GroupValidPixels(labels, count, *disparity, *valid);
   planes_.resize(static_cast<std::size_t>(count));
   pool->ForRanges(count, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) planes_[static_cast<std::size_t>(k)] = FitPlane(k);
   });
-  const float doubtful_below = LeastConfidentBelow(confidence);
   pool->ForRanges(disparity->rows, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
-      ApplyRow(labels.ptr<std::int32_t>(y), confidence.ptr<float>(y), doubtful_below, shape, y,
-               disparity->ptr<float>(y), valid->ptr<std::uint8_t>(y));
+      FillRow(labels.ptr<std::int32_t>(y / kLabelScale), shape, y, disparity->ptr<float>(y),
+              valid->ptr<std::uint8_t>(y));
     }
   });
 }
 
-void SuperpixelPlanes::ApplyRow(const std::int32_t* labels, const float* confidence,
-                                float doubtful_below, const VolumeShape& shape, int y,
-                                float* disparity, std::uint8_t* valid) const {
+void SuperpixelPlanes::FillRow(const std::int32_t* labels, const VolumeShape& shape, int y,
+                               float* disparity, std::uint8_t* valid) const {
   const double lowest = shape.min_disparity;
   const double highest = shape.min_disparity + shape.disparities - 1;
   for (int x = 0; x < shape.width; ++x) {
-    const std::optional<DisparityPlane>& plane = planes_[static_cast<std::size_t>(labels[x])];
+    if (valid[x] != 0) continue;
+    const std::optional<DisparityPlane>& plane =
+        planes_[static_cast<std::size_t>(labels[x / kLabelScale])];
     if (!plane) continue;
     const double value = plane->At(x, y);
     if (!(value >= lowest && value <= highest)) continue;
-    const bool doubtful =
-        confidence[x] < doubtful_below && std::abs(value - disparity[x]) < kSnapDistance;
-    if (valid[x] != 0 && !doubtful) continue;
     disparity[x] = static_cast<float>(value);
     valid[x] = kNowValid;
   }
@@ -128,11 +122,11 @@ void SuperpixelPlanes::ApplyRow(const std::int32_t* labels, const float* confide
 void SuperpixelPlanes::GroupValidPixels(const cv::Mat& labels, int count, const cv::Mat& disparity,
                                         const cv::Mat& valid) {
   const auto for_valid_pixels = [&](auto&& visit) {
-    for (int y = 0; y < labels.rows; ++y) {
-      const auto* label = labels.ptr<std::int32_t>(y);
+    for (int y = 0; y < valid.rows; y += kLabelScale) {
+      const auto* label = labels.ptr<std::int32_t>(y / kLabelScale);
       const auto* is_valid = valid.ptr<std::uint8_t>(y);
-      for (int x = 0; x < labels.cols; ++x) {
-        if (is_valid[x] != 0) visit(static_cast<std::size_t>(label[x]), x, y);
+      for (int x = 0; x < valid.cols; x += kLabelScale) {
+        if (is_valid[x] != 0) visit(static_cast<std::size_t>(label[x / kLabelScale]), x, y);
       }
     }
   };
@@ -155,19 +149,6 @@ std::optional<DisparityPlane> SuperpixelPlanes::FitPlane(int label) const {
   const int count = first_[static_cast<std::size_t>(label) + 1] - first;
   const PixelGroup group = {x_.data() + first, y_.data() + first, d_.data() + first, count};
   return RobustPlane(group, cv::RNG(kSeed * (static_cast<std::uint64_t>(label) + 1)));
-}
-
-// The confidence that kDoubtfulShare of the pixels stay below.
-float SuperpixelPlanes::LeastConfidentBelow(const cv::Mat& confidence) {
-  confidences_.clear();
-  for (int y = 0; y < confidence.rows; ++y) {
-    const float* row = confidence.ptr<float>(y);
-    confidences_.insert(confidences_.end(), row, row + confidence.cols);
-  }
-  const auto rank =
-      static_cast<std::ptrdiff_t>(kDoubtfulShare * static_cast<double>(confidences_.size()));
-  std::nth_element(confidences_.begin(), confidences_.begin() + rank, confidences_.end());
-  return confidences_[static_cast<std::size_t>(rank)];
 }
 
 }  // namespace stereo_sgmp

@@ -11,6 +11,7 @@ namespace stereo_sgmp {
 namespace {
 
 constexpr int kRadius = 4;
+constexpr int kStep = 2;
 
 struct Sums {
   float n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0, e = 0, xe = 0, ye = 0;
@@ -30,7 +31,7 @@ int LargestDifference(const cv::Mat& image, cv::Point p, cv::Point q) {
 Sums ReferenceRowSums(const cv::Mat& image, const cv::Mat& valid, const cv::Mat& disparity,
                       cv::Point p, int dy) {
   Sums row;
-  for (int dx = -kRadius; dx <= kRadius; ++dx) {
+  for (int dx = -kRadius; dx <= kRadius; dx += kStep) {
     const cv::Point q = p + cv::Point(dx, dy);
     if (!cv::Rect({0, 0}, disparity.size()).contains(q) || valid.at<std::uint8_t>(q) == 0) continue;
     const float e = disparity.at<float>(q) - disparity.at<float>(p);
@@ -50,7 +51,7 @@ Sums ReferenceRowSums(const cv::Mat& image, const cv::Mat& valid, const cv::Mat&
 float ReferenceValue(const cv::Mat& image, const cv::Mat& valid, const cv::Mat& disparity,
                      cv::Point p) {
   Sums s;
-  for (int dy = -kRadius; dy <= kRadius; ++dy) {
+  for (int dy = -kRadius; dy <= kRadius; dy += kStep) {
     const Sums row = ReferenceRowSums(image, valid, disparity, p, dy);
     const float fy = static_cast<float>(dy);
     s.n += row.n;
