@@ -130,18 +130,26 @@ install_packages() {
     apt-get install --yes --no-install-recommends "${missing[@]}"
 }
 
-# build FOLDER OPTIONS...: configures with CMake and builds everything, tests included.
+# configure FOLDER OPTIONS...: with CMake.
+configure() {
+  run_logged "$1/configure.log" "Configuring $(basename "$1")/" \
+    cmake -S "$repo" -B "$1" -DPYTHON_EXECUTABLE=/usr/bin/python3 \
+    -DPython3_EXECUTABLE=/usr/bin/python3 "${@:2}"
+}
+
+# compile FOLDER TARGETS...: of what was configured.
+compile() {
+  run_logged "$1/build.log" "Building $(basename "$1")/" \
+    cmake --build "$1" --parallel "$cores" --target "${@:2}"
+}
+
+# build FOLDER OPTIONS...: configures and builds everything, tests included.
 build() {
-  local folder=$1 name targets=(all)
-  shift
-  name=$(basename "$folder")
-  run_logged "$folder/configure.log" "Configuring $name/" \
-    cmake -S "$repo" -B "$folder" -DPYTHON_EXECUTABLE=/usr/bin/python3 \
-    -DPython3_EXECUTABLE=/usr/bin/python3 "$@"
+  local targets=(all)
+  configure "$@"
   # catkin keeps the programs of rostests out of `all`.
-  if grep -q '^tests:' "$folder/Makefile"; then targets+=(tests); fi
-  run_logged "$folder/build.log" "Building $name/" \
-    cmake --build "$folder" --parallel "$cores" --target "${targets[@]}"
+  if grep -q '^tests:' "$1/Makefile"; then targets+=(tests); fi
+  compile "$1" "${targets[@]}"
 }
 
 # build_release OPTIONS...: the programs, without the tests, in build/.

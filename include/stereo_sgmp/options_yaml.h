@@ -13,6 +13,9 @@ namespace stereo_sgmp {
 // key, a value of the wrong type or out of range, naming file, key and expectation.
 void LoadOptionsFile(const std::string& path, Options* options);
 
+// The same for the content of a file; `name` stands for it in the messages.
+void LoadOptionsText(const std::string& yaml, const std::string& name, Options* options);
+
 // All options as YAML that LoadOptionsFile reads back, with a comment for each.
 std::string OptionsToYaml(const Options& options);
 

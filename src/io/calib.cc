@@ -10,6 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "common/excerpt.h"
 #include "io/file_io.h"
 
 namespace stereo_sgmp {
@@ -91,7 +92,7 @@ class Entries {
   [[noreturn]] void Fail(const std::string& key, const std::string& expectation) const {
     const Entry& entry = entries_.at(key);
     throw std::invalid_argument(name_ + ", line " + std::to_string(entry.line) + ": " + key + "=" +
-                                entry.value.substr(0, 80) + ", but " + expectation + ".");
+                                Excerpt(entry.value, 80) + ", but " + expectation + ".");
   }
 
  private:

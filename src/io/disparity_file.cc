@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "io/file_io.h"
 #include "io/image.h"
 #include "io/pfm.h"
 
@@ -26,19 +27,19 @@ bool IsPfmName(const std::string& path) {
 }
 
 // One channel of floats, or of 8 or 16 bit, as stored.
-cv::Mat ReadMap(const std::string& path) {
-  cv::Mat map = IsPfmName(path) ? ReadPfm(path) : LoadImage(path);
+cv::Mat DecodeMap(const std::string& bytes, const std::string& name) {
+  cv::Mat map = IsPfmName(name) ? DecodePfm(bytes, name) : DecodeImage(bytes, name);
   if (map.channels() != 1) {
-    throw std::invalid_argument(path + ": " + std::to_string(map.channels()) +
+    throw std::invalid_argument(name + ": " + std::to_string(map.channels()) +
                                 " channels found, one is expected of disparities and depths.");
   }
   return map;
 }
 
-void CheckScale(const std::string& path, double scale) {
+void CheckScale(const std::string& name, double scale) {
   if (scale >= 0.0 && std::isfinite(scale)) return;
   std::ostringstream message;
-  message << path << ": the scale of its disparities is " << scale
+  message << name << ": the scale of its disparities is " << scale
           << ", a number above 0 is expected (disparity = value / scale), or 0 for the format's.";
   throw std::invalid_argument(message.str());
 }
@@ -61,18 +62,19 @@ cv::Mat Converted(const cv::Mat& map, const Convert& convert) {
 
 }  // namespace
 
-cv::Mat ReadDisparity(const std::string& path, double scale) {
-  CheckScale(path, scale);
-  const cv::Mat map = ReadMap(path);
+cv::Mat DecodeDisparity(const std::string& bytes, const std::string& name, double scale) {
+  CheckScale(name, scale);
+  const cv::Mat map = DecodeMap(bytes, name);
   const double divisor = scale > 0.0 ? scale : DefaultScale(map);
   return Converted(map, [&](double value) { return value / divisor; });
 }
 
-cv::Mat ReadDepthAsDisparity(const std::string& path, const StereoCamera& camera) {
+cv::Mat DecodeDepthAsDisparity(const std::string& bytes, const std::string& name,
+                               const StereoCamera& camera) {
   camera.Check();
-  const cv::Mat map = ReadMap(path);
+  const cv::Mat map = DecodeMap(bytes, name);
   if (map.depth() == CV_8U) {
-    throw std::invalid_argument(path + ": 8 bit are too coarse for depths; a .pfm file of metres " +
+    throw std::invalid_argument(name + ": 8 bit are too coarse for depths; a .pfm file of metres " +
                                 "or a 16-bit picture of millimetres is expected.");
   }
   const double units_per_metre = map.depth() == CV_16U ? kMillimetresPerMetre : 1.0;
@@ -80,6 +82,14 @@ cv::Mat ReadDepthAsDisparity(const std::string& path, const StereoCamera& camera
     const double depth = value / units_per_metre;
     return depth > 0.0 ? camera.DisparityOf(depth) : static_cast<double>(kUnknown);
   });
+}
+
+cv::Mat ReadDisparity(const std::string& path, double scale) {
+  return DecodeDisparity(ReadFile(path), path, scale);
+}
+
+cv::Mat ReadDepthAsDisparity(const std::string& path, const StereoCamera& camera) {
+  return DecodeDepthAsDisparity(ReadFile(path), path, camera);
 }
 
 }  // namespace stereo_sgmp

@@ -20,11 +20,18 @@ namespace stereo_sgmp {
 // for a scale that is negative or not finite.
 cv::Mat ReadDisparity(const std::string& path, double scale);
 
+// The same for the content of a file called `name`.
+cv::Mat DecodeDisparity(const std::string& bytes, const std::string& name, double scale);
+
 // A depth map z as disparities f b / z - doffs: as ReadDisparity returns them. A .pfm file holds
 // the unit of the baseline (metres), a 16-bit gray picture millimetres; depths that are 0, negative
 // or not finite are not known. Throws as ReadDisparity, for an 8-bit picture, and as
 // StereoCamera::Check.
 cv::Mat ReadDepthAsDisparity(const std::string& path, const StereoCamera& camera);
+
+// The same for the content of a file called `name`.
+cv::Mat DecodeDepthAsDisparity(const std::string& bytes, const std::string& name,
+                               const StereoCamera& camera);
 
 }  // namespace stereo_sgmp
 

@@ -43,24 +43,25 @@ std::string Describe(const cv::Mat& image) {
 
 }  // namespace
 
-cv::Mat LoadImage(const std::string& path) {
-  const std::string bytes = ReadFile(path);
+cv::Mat DecodeImage(const std::string& bytes, const std::string& name) {
   if (IsTruncated(bytes)) {
-    throw std::invalid_argument(path + ": the picture is truncated after " +
+    throw std::invalid_argument(name + ": the picture is truncated after " +
                                 std::to_string(bytes.size()) + " bytes.");
   }
-  cv::Mat image = Decode(bytes, path);
+  cv::Mat image = Decode(bytes, name);
   if (image.empty()) {
-    throw std::invalid_argument(path + ": this is not a picture that can be read (PNG, JPEG, " +
+    throw std::invalid_argument(name + ": this is not a picture that can be read (PNG, JPEG, " +
                                 "PNM, TIFF ... are expected).");
   }
   const bool known_depth = image.depth() == CV_8U || image.depth() == CV_16U;
   if (!known_depth || image.channels() == 2) {
-    throw std::invalid_argument(path + ": " + Describe(image) +
+    throw std::invalid_argument(name + ": " + Describe(image) +
                                 " found, 8 or 16 bit gray, BGR or BGRA expected.");
   }
   return image;
 }
+
+cv::Mat LoadImage(const std::string& path) { return DecodeImage(ReadFile(path), path); }
 
 void CheckPair(const cv::Mat& left, const std::string& left_name, const cv::Mat& right,
                const std::string& right_name) {

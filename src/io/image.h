@@ -11,6 +11,9 @@ namespace stereo_sgmp {
 // for a file that is missing, empty, truncated, no picture or of another type.
 cv::Mat LoadImage(const std::string& path);
 
+// The same for the content of a file; `name` stands for it in the messages.
+cv::Mat DecodeImage(const std::string& bytes, const std::string& name);
+
 // Throws std::invalid_argument unless both images have one size and one type.
 void CheckPair(const cv::Mat& left, const std::string& left_name, const cv::Mat& right,
                const std::string& right_name);

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "io/file_io.h"
 #include "io/pfm.h"
 
 namespace stereo_sgmp {
@@ -24,10 +25,10 @@ constexpr double kTolerance = 0.02;
 
 }  // namespace
 
-cv::Mat ReadNormals(const std::string& path) {
-  cv::Mat normals = ReadPfm(path);
+cv::Mat DecodeNormals(const std::string& bytes, const std::string& name) {
+  cv::Mat normals = DecodePfm(bytes, name);
   if (normals.channels() != 3) {
-    throw std::invalid_argument(path +
+    throw std::invalid_argument(name +
                                 ": one channel found, three (\"PF\") are expected of normals.");
   }
   for (int y = 0; y < normals.rows; ++y) {
@@ -37,11 +38,13 @@ cv::Mat ReadNormals(const std::string& path) {
       if (!std::isfinite(length)) {
         normal = cv::Vec3f::all(0.0f);
       } else if (length > 0.0 && std::abs(length - 1.0) > kTolerance) {
-        FailAt(path, x, y, length);
+        FailAt(name, x, y, length);
       }
     }
   }
   return normals;
 }
+
+cv::Mat ReadNormals(const std::string& path) { return DecodeNormals(ReadFile(path), path); }
 
 }  // namespace stereo_sgmp

@@ -12,6 +12,9 @@ namespace stereo_sgmp {
 // file that is missing, malformed or has one channel, and for vectors of another length than 1.
 cv::Mat ReadNormals(const std::string& path);
 
+// The same for the content of a file; `name` stands for it in the messages.
+cv::Mat DecodeNormals(const std::string& bytes, const std::string& name);
+
 }  // namespace stereo_sgmp
 
 #endif  // STEREO_SGMP_IO_NORMALS_FILE_H_

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "common/excerpt.h"
 #include "io/file_io.h"
 
 namespace stereo_sgmp {
@@ -28,13 +29,7 @@ struct Header {
   throw std::invalid_argument(name + ": " + sentence);
 }
 
-// What was found, fit for a message: short and printable.
-std::string Quoted(const std::string& token) {
-  std::string text = token.substr(0, 12);
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return "\"" + text + "\"";
-}
+std::string Quoted(const std::string& token) { return "\"" + Excerpt(token, 12) + "\""; }
 
 // Reads the next word of the header that starts at `position` and moves behind it.
 std::string NextToken(const std::string& bytes, std::size_t* position) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/excerpt.h"
 #include "stereo_sgmp/option_fields.h"
 #include "stereo_sgmp/presets.h"
 
@@ -16,18 +17,23 @@ namespace {
 
 constexpr char kPresetKey[] = "preset";
 
-// Scalars of a tree of maps by their path, such as "prior/variant".
+// Values by their path, such as "prior/variant".
 using FlatYaml = std::vector<std::pair<std::string, YAML::Node>>;
 
-void Flatten(const YAML::Node& node, const std::string& prefix, FlatYaml* flat) {
-  for (const auto& entry : node) {
-    const std::string key = prefix + entry.first.as<std::string>();
-    if (entry.second.IsMap()) {
-      Flatten(entry.second, key + "/", flat);
-    } else {
-      flat->emplace_back(key, entry.second);
+FlatYaml Flatten(const YAML::Node& root) {
+  FlatYaml flat;
+  for (const auto& entry : root) {
+    const std::string key = entry.first.as<std::string>();
+    if (!entry.second.IsMap()) {
+      flat.emplace_back(key, entry.second);
+      continue;
+    }
+    // No deeper: a map may hold itself, by an alias.
+    for (const auto& field : entry.second) {
+      flat.emplace_back(key + "/" + field.first.as<std::string>(), field.second);
     }
   }
+  return flat;
 }
 
 template <class Enum>
@@ -41,7 +47,7 @@ std::string JoinNames() {
 }
 
 std::string TextOf(const YAML::Node& node) {
-  return node.IsScalar() ? node.Scalar() : "not a single value";
+  return node.IsScalar() ? Excerpt(node.Scalar()) : "not a single value";
 }
 
 template <class T>
@@ -73,8 +79,7 @@ void Assign(const YAML::Node& node, const std::string& key, T* value) {
 Options ParseOptions(const YAML::Node& root, const Options& start) {
   if (root.IsNull()) return start;
   if (!root.IsMap()) throw std::invalid_argument("expected a map of options");
-  FlatYaml flat;
-  Flatten(root, "", &flat);
+  const FlatYaml flat = Flatten(root);
   Options options = start;
   for (const auto& [key, node] : flat) {
     if (key == kPresetKey) options = PresetOptions(TextOf(node));
@@ -89,7 +94,8 @@ Options ParseOptions(const YAML::Node& root, const Options& start) {
       Assign(node, key, &value);
     });
     if (!known) {
-      throw std::invalid_argument("there is no option '" + key + "'; docs/options.md lists them");
+      throw std::invalid_argument("there is no option '" + Excerpt(key) +
+                                  "'; docs/options.md lists them");
     }
   }
   CheckOptions(options);
@@ -120,18 +126,28 @@ struct YamlWriter {
   }
 };
 
+template <class Load>
+void LoadOptions(const Load& load, const std::string& name, Options* options) {
+  try {
+    *options = ParseOptions(load(), *options);
+  } catch (const YAML::BadFile&) {
+    throw std::invalid_argument("options file " + name + " can't be read; does it exist?");
+  } catch (const YAML::Exception& error) {
+    throw std::invalid_argument("options file " + name +
+                                " is not YAML: " + Excerpt(error.what(), 200));
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("options file " + name + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 void LoadOptionsFile(const std::string& path, Options* options) {
-  try {
-    *options = ParseOptions(YAML::LoadFile(path), *options);
-  } catch (const YAML::BadFile&) {
-    throw std::invalid_argument("options file " + path + " can't be read; does it exist?");
-  } catch (const YAML::Exception& error) {
-    throw std::invalid_argument("options file " + path + " is not YAML: " + error.what());
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument("options file " + path + ": " + error.what());
-  }
+  LoadOptions([&] { return YAML::LoadFile(path); }, path, options);
+}
+
+void LoadOptionsText(const std::string& yaml, const std::string& name, Options* options) {
+  LoadOptions([&] { return YAML::Load(yaml); }, name, options);
 }
 
 std::string OptionsToYaml(const Options& options) {

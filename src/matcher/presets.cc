@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "common/excerpt.h"
+
 namespace stereo_sgmp {
 namespace {
 
@@ -51,7 +53,7 @@ Options PresetOptions(const std::string& name) {
   if (name == "default") return Options();
   if (name == "quality") return Quality();
   if (name == "paper") return Paper();
-  throw std::invalid_argument("there is no preset '" + name +
+  throw std::invalid_argument("there is no preset '" + Excerpt(name) +
                               "'; expected default, quality or paper");
 }
 

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "common/excerpt.h"
+
 namespace stereo_sgmp {
 namespace {
 
@@ -131,8 +133,8 @@ StereoCamera CameraFromInfo(const sensor_msgs::CameraInfo& left,
 std::string FrameIdProblem(const sensor_msgs::CameraInfo& left,
                            const sensor_msgs::CameraInfo& right) {
   if (left.header.frame_id == right.header.frame_id) return "";
-  return "left camera_info has frame_id '" + left.header.frame_id + "', the right one '" +
-         right.header.frame_id +
+  return "left camera_info has frame_id '" + Excerpt(left.header.frame_id) + "', the right one '" +
+         Excerpt(right.header.frame_id) +
          "'; expected the left camera's optical frame in both; correct the right driver's "
          "frame_id (the results are in the left frame)";
 }

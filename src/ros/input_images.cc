@@ -5,8 +5,12 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <sensor_msgs/image_encodings.h>
+#include <boost/make_shared.hpp>
+
+#include "common/excerpt.h"
 
 namespace stereo_sgmp {
 namespace {
@@ -34,15 +38,17 @@ const std::string& TargetEncoding(const sensor_msgs::Image& message, const char*
     if (conversion.from == message.encoding) return conversion.to;
     accepted += (accepted.empty() ? "" : ", ") + conversion.from;
   }
-  throw std::invalid_argument(std::string(topic) + " has encoding '" + message.encoding +
+  throw std::invalid_argument(std::string(topic) + " has encoding '" + Excerpt(message.encoding) +
                               "'; expected one of " + accepted +
                               "; let image_proc debayer and rectify it first");
 }
 
 void CheckData(const sensor_msgs::Image& message, const char* topic) {
-  const std::size_t bytes_per_pixel = static_cast<std::size_t>(enc::numChannels(message.encoding) *
-                                                               enc::bitDepth(message.encoding) / 8);
+  const auto bytes_per_sample = static_cast<std::size_t>(enc::bitDepth(message.encoding) / 8);
+  const std::size_t bytes_per_pixel =
+      static_cast<std::size_t>(enc::numChannels(message.encoding)) * bytes_per_sample;
   const bool filled = message.step >= message.width * bytes_per_pixel &&
+                      message.step % bytes_per_sample == 0 &&
                       message.data.size() == std::size_t{message.step} * message.height;
   if (message.width > 0 && message.height > 0 && filled) return;
   std::ostringstream text;
@@ -53,10 +59,23 @@ void CheckData(const sensor_msgs::Image& message, const char* topic) {
   throw std::invalid_argument(text.str());
 }
 
+// The message itself, or a copy whose samples are little-endian as this machine's: cv_bridge makes
+// images of two channels of the others.
+sensor_msgs::ImageConstPtr InLittleEndian(const sensor_msgs::ImageConstPtr& message) {
+  static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the machine's order");
+  if (message->is_bigendian == 0 || enc::bitDepth(message->encoding) != 16) return message;
+  const auto swapped = boost::make_shared<sensor_msgs::Image>(*message);
+  swapped->is_bigendian = 0;
+  for (std::size_t i = 0; i + 1 < swapped->data.size(); i += 2) {
+    std::swap(swapped->data[i], swapped->data[i + 1]);
+  }
+  return swapped;
+}
+
 cv_bridge::CvImageConstPtr ToImage(const sensor_msgs::ImageConstPtr& message, const char* topic,
                                    const std::string& encoding) {
   try {
-    return cv_bridge::toCvShare(message, encoding);
+    return cv_bridge::toCvShare(InLittleEndian(message), encoding);
   } catch (const cv_bridge::Exception& error) {
     throw std::invalid_argument(std::string(topic) + " can't be converted from " +
                                 message->encoding + " to " + encoding + ": " + error.what());

@@ -1,6 +1,7 @@
 #include "ros/synchronizer.h"
 
 #include <algorithm>
+#include <exception>
 #include <sstream>
 #include <utility>
 
@@ -94,26 +95,37 @@ void StereoSynchronizer::Reset() {
 }
 
 void StereoSynchronizer::AddLeftImage(const ImageConstPtr& message) {
-  Note(kLeftImage, message->header.stamp);
-  policy_->AddLeftImage(message);
-  ReportIfStuck();
+  Add(kLeftImage, message, &Policy::AddLeftImage);
 }
 
 void StereoSynchronizer::AddLeftInfo(const CameraInfoConstPtr& message) {
-  Note(kLeftInfo, message->header.stamp);
-  policy_->AddLeftInfo(message);
-  ReportIfStuck();
+  Add(kLeftInfo, message, &Policy::AddLeftInfo);
 }
 
 void StereoSynchronizer::AddRightImage(const ImageConstPtr& message) {
-  Note(kRightImage, message->header.stamp);
-  policy_->AddRightImage(message);
-  ReportIfStuck();
+  Add(kRightImage, message, &Policy::AddRightImage);
 }
 
 void StereoSynchronizer::AddRightInfo(const CameraInfoConstPtr& message) {
-  Note(kRightInfo, message->header.stamp);
-  policy_->AddRightInfo(message);
+  Add(kRightInfo, message, &Policy::AddRightInfo);
+}
+
+template <class MessagePtr>
+void StereoSynchronizer::Add(std::size_t topic, const MessagePtr& message,
+                             void (Policy::*add)(const MessagePtr&)) {
+  const ros::Time& stamp = message->header.stamp;
+  Note(topic, stamp);
+  try {
+    (policy_.get()->*add)(message);
+  } catch (const std::exception& error) {
+    // The policies subtract stamps, and a ros::Duration ends at 68 years.
+    std::ostringstream text;
+    text << kNames[topic] << " has the stamp " << stamp << ", which can't be compared with the "
+         << "other inputs' (" << error.what() << "); expected one clock for all; correct the "
+         << "clock of its publisher";
+    Reset();
+    on_problem_("clock", text.str());
+  }
   ReportIfStuck();
 }
 

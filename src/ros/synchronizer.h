@@ -51,6 +51,8 @@ class StereoSynchronizer {
     int unpaired = 0;  // messages since the last frame
   };
 
+  template <class MessagePtr>
+  void Add(std::size_t topic, const MessagePtr& message, void (Policy::*add)(const MessagePtr&));
   void HandleFrame(const sensor_msgs::ImageConstPtr& left,
                    const sensor_msgs::CameraInfoConstPtr& left_info,
                    const sensor_msgs::ImageConstPtr& right,

@@ -147,6 +147,8 @@ TEST(OptionsYamlTest, MistakesAreNamedAndChangeNothing) {
       {"preset: [default]", "not a single value"},
       {"- a list", "map"},
       {"a: [1", "not YAML"},
+      {"prior: &p {variant: *p}", "not a single value"},
+      {"a: &a {b: {c: &c {d: *a}}}", "there is no option 'a/b'"},
   };
   for (const auto& [text, expected] : mistakes) {
     SCOPED_TRACE(text);

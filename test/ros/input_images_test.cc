@@ -52,6 +52,17 @@ TEST(ToImage, BringsColoursInOpenCvsOrder) {
   EXPECT_EQ(ToImage(image, "left/image_rect")->image.at<cv::Vec3b>(0, 0), cv::Vec3b(3, 2, 1));
 }
 
+TEST(ToImage, TakesBothByteOrders) {
+  const sensor_msgs::ImagePtr image = Image(enc::MONO16, 1, 2);
+  image->is_bigendian = 1;
+  image->data = {1, 2, 3, 4};
+  const cv_bridge::CvImageConstPtr converted = ToImage(image, "left/image_rect");
+  const cv::Mat& pixels = converted->image;
+  ASSERT_EQ(pixels.type(), CV_16UC1);
+  EXPECT_EQ(pixels.at<std::uint16_t>(0, 0), 0x0102);
+  EXPECT_EQ(pixels.at<std::uint16_t>(1, 0), 0x0304);
+}
+
 TEST(ToInputPair, SharesThePixels) {
   const sensor_msgs::ImagePtr image = Image(enc::MONO8, 5, 3);
   EXPECT_EQ(ToInputPair(image, image).left->image.data, image->data.data());
@@ -87,6 +98,10 @@ TEST(ToInputPair, RefusesMissingData) {
   narrow->data.resize(12);
   EXPECT_THAT(Refusal(good, narrow), HasSubstr("step 4"));
   EXPECT_THAT(Refusal(Image(enc::MONO8, 0, 3), good), HasSubstr("0 x 3 pixels"));
+  const sensor_msgs::ImagePtr odd = Image(enc::MONO16, 5, 3);
+  odd->step = 11;
+  odd->data.resize(33);
+  EXPECT_THAT(Refusal(odd, good), HasSubstr("step 11"));
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """The nodelet with images made in code: values, fields, laziness, bad input, reconfigure."""
 import re
+import subprocess
 import sys
 import unittest
 
-import cv2
 import numpy as np
 import rospy
 import rostest
@@ -18,7 +18,8 @@ import stereo_rig as rig
 KINDS = {"disparity": DisparityImage, "points2": PointCloud2, "confidence": Image,
          "priors": Priors, "statistics": Statistics, "disparity_color": Image,
          "priors_color": Image}
-OPENCV = tuple(int(number) for number in re.findall(r"\d+", cv2.__version__)[:3])
+OPENCV = tuple(int(number) for number in re.findall(
+    r"\d+", subprocess.check_output(["pkg-config", "--modversion", "opencv4"], text=True))[:3])
 
 
 class NodeletTest(unittest.TestCase):

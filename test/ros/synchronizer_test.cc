@@ -102,6 +102,21 @@ TEST_F(SynchronizerTest, ReportsASilentTopic) {
   EXPECT_THAT(last_problem_, HasSubstr("nothing arrives on right/camera_info"));
 }
 
+TEST_F(SynchronizerTest, GoesOnAfterStampsThatCantBeCompared) {
+  StereoSynchronizer::Settings settings;
+  settings.approximate = true;
+  Start(settings);
+  AddLeft(1.0);
+  AddRight(4294967295.0);
+  EXPECT_THAT(last_problem_, testing::AllOf(HasSubstr("right/camera_info has the stamp 4294967295"),
+                                            HasSubstr("expected one clock for all")));
+  for (double t : {2.0, 3.0, 4.0}) {
+    AddLeft(t);
+    AddRight(t);
+  }
+  EXPECT_GE(frames_.size(), 1u);
+}
+
 TEST_F(SynchronizerTest, PairsNearStampsWhenAsked) {
   StereoSynchronizer::Settings settings;
   settings.approximate = true;
