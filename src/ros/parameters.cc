@@ -143,7 +143,6 @@ class ParameterReader {
 };
 
 // The parameter of stereo_image_proc that means the same as an option; "" when there is none.
-// P1 and P2 are none: they are in the units of another matching cost.
 std::string StereoImageProcName(const std::string& field_name) {
   if (field_name == "num_disparities") return "disparity_range";
   if (field_name == "filter/uniqueness_ratio") return "uniqueness_ratio";
@@ -159,13 +158,33 @@ void ReadDisp12MaxDiff(const ros::NodeHandle& nh, Options* options) {
   options->filter.lr_tolerance = difference > 0.0 ? std::min(difference, 2048.0) : -1.0;
 }
 
-void ReportForeignPenalties(const ros::NodeHandle& nh, const Report& report) {
-  for (const char* name : {"P1", "P2"}) {
-    if (!nh.hasParam(name)) continue;
-    report("parameter " + nh.resolveName(name) +
-           " is ignored: it is in the units of another matching cost; expected "
-           "aggregation/p1, aggregation/alpha and aggregation/beta");
+// stereo_image_proc's penalties are in the units of its own cost, summed over its own window: as
+// numbers they mean nothing here, but their ratio does.
+std::string PenaltyAdvice(const ros::NodeHandle& nh) {
+  double p1 = 0.0;
+  double p2 = 0.0;
+  std::ostringstream advice;
+  advice << "they are in the units of another matching cost, and the defaults of aggregation/p1, "
+            "aggregation/alpha and aggregation/beta fit any camera";
+  if (nh.getParam("P1", p1) && nh.getParam("P2", p2) && p1 > 0.0 && p2 >= p1) {
+    advice << "; a P2 / P1 of " << p2 / p1 << " would be aggregation/alpha " << p2 / p1 - 1.0;
   }
+  return advice.str();
+}
+
+void ReportWithoutCounterpart(const ros::NodeHandle& nh, const Report& report) {
+  std::string found;
+  for (const char* name : {"P1", "P2", "stereo_algorithm", "prefilter_size", "prefilter_cap",
+                           "correlation_window_size", "texture_threshold", "fullDP"}) {
+    if (nh.hasParam(name)) found += (found.empty() ? "" : ", ") + std::string(name);
+  }
+  if (found.empty()) return;
+  std::string text =
+      "of the parameters of stereo_image_proc, these have no counterpart and are "
+      "ignored in " +
+      nh.getNamespace() + ": " + found;
+  if (nh.hasParam("P1") || nh.hasParam("P2")) text += "; of P1 and P2: " + PenaltyAdvice(nh);
+  report(text);
 }
 
 Options ReadPreset(const ros::NodeHandle& nh, const Report& report) {
@@ -241,7 +260,7 @@ Options ReadOptions(const ros::NodeHandle& private_nh, const Report& report) {
   VisitOptions(options, ParameterReader(private_nh, report, ConfigName));
   VisitOptions(options, ParameterReader(private_nh, report, StereoImageProcName));
   ReadDisp12MaxDiff(private_nh, &options);
-  ReportForeignPenalties(private_nh, report);
+  ReportWithoutCounterpart(private_nh, report);
   const auto as_in_files = [](const std::string& field_name) {
     return field_name.find('/') == std::string::npos ? "" : field_name;
   };

@@ -88,7 +88,7 @@ class ReloadTest(unittest.TestCase):
 
     def test_parameters(self):
         names = {"preset": "paper", "queue_size": 0, "disparity_range": 40, "uniqueness_ratio": 12,
-                 "P1": 200, "disp12MaxDiff": 0, "alignment/mode": False, "prior/variant": "best",
+                 "P1": 200, "P2": 800, "texture_threshold": 10, "disp12MaxDiff": 0, "alignment/mode": False, "prior/variant": "best",
                  "prior_variant": "gs",
                  "filter/speckle_range": 1000.0}
         for name, value in names.items():
@@ -104,7 +104,8 @@ class ReloadTest(unittest.TestCase):
                             "filter_speckle_range": 100.0}.items():
             self.assertEqual(rospy.get_param("/stereo/matcher/" + name), value, name)
         for sentence in ("queue_size is 0; expected at least 1",
-                         "matcher/P1 is ignored",
+                         "ignored in /stereo/matcher: P1, P2, texture_threshold",
+                         "a P2 / P1 of 4 would be aggregation/alpha 3",
                          "prior/variant is best; expected one of sgm, epi, epv, mw",
                          "prior/variant gs needs a given surface, which a stream does not have",
                          "filter/speckle_range is 1000; expected a number from 0 to 100 px"):
