@@ -5,6 +5,7 @@ if(NOT CATKIN_DEVEL_PREFIX)
 endif()
 find_package(catkin REQUIRED COMPONENTS
   cv_bridge
+  diagnostic_updater
   dynamic_reconfigure
   image_transport
   message_filters
@@ -16,6 +17,7 @@ find_package(catkin REQUIRED COMPONENTS
   sensor_msgs
   std_msgs
   stereo_msgs
+  visualization_msgs
 )
 
 add_message_files(FILES
@@ -32,6 +34,7 @@ catkin_package(
   LIBRARIES ${PROJECT_NAME}
   CATKIN_DEPENDS
     cv_bridge
+    diagnostic_updater
     dynamic_reconfigure
     image_transport
     message_filters
@@ -43,5 +46,6 @@ catkin_package(
     sensor_msgs
     std_msgs
     stereo_msgs
+    visualization_msgs
   DEPENDS OpenCV
 )

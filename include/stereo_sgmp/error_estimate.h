@@ -23,6 +23,9 @@ void EstimateDisparityError(const MatchResult& result, const Options& options, c
 void EstimateDepthError(const MatchResult& result, const cv::Mat& disparity_error,
                         const StereoCamera& camera, cv::Mat* error);
 
+// The standard deviation of a disparity in pixels, at a confidence from 0 to 1.
+double DisparityErrorAt(double confidence, const Options& options);
+
 // The standard deviation of a depth in the unit of the baseline, given that of its disparity.
 double DepthErrorAt(const StereoCamera& camera, double depth, double disparity_error);
 

@@ -12,37 +12,45 @@ namespace {
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 // The 68 % quantile of the error, pixels, as a polynomial of the doubt 1 - confidence: fitted to
-// real pairs with ground truth (half a million to two million pixels each for the fast and the
-// thorough pipeline), where it holds within a third from a doubt of 0 to 0.7.
-struct Calibration {
-  float constant;
-  float linear;
-  float quadratic;
+// real pairs with ground truth (two million pixels), where it holds within a third from a doubt of
+// 0 to 0.7. Whole disparities add the variance of rounding; interpolated ones were calibrated as
+// they are.
+class Calibration {
+ public:
+  explicit Calibration(const Options& options) {
+    if (options.filter.confidence == ConfidenceMeasure::kUncertainty) {
+      constant_ = 0.18f;
+      linear_ = 0.5f;
+      quadratic_ = 1.1f;
+    }
+    if (options.refinement.subpixel == Subpixel::kNone) step_variance_ = 1.0f / 12.0f;
+  }
+
+  float ErrorAt(float confidence) const {
+    const float doubt = 1.0f - confidence;
+    const float matching = constant_ + doubt * (linear_ + doubt * quadratic_);
+    return std::sqrt(matching * matching + step_variance_);
+  }
+
+ private:
+  float constant_ = 0.14f;
+  float linear_ = 1.6f;
+  float quadratic_ = 0.4f;
+  float step_variance_ = 0.0f;
 };
-
-Calibration CalibrationOf(ConfidenceMeasure measure) {
-  if (measure == ConfidenceMeasure::kUncertainty) return {0.18f, 0.5f, 1.1f};
-  return {0.14f, 1.6f, 0.4f};
-}
-
-// Variance of rounding to whole disparities; interpolated ones were calibrated as they are.
-float StepVariance(Subpixel subpixel) { return subpixel == Subpixel::kNone ? 1.0f / 12.0f : 0.0f; }
 
 }  // namespace
 
 void EstimateDisparityError(const MatchResult& result, const Options& options, cv::Mat* error) {
   error->create(result.dense.size(), CV_32F);
-  const Calibration k = CalibrationOf(options.filter.confidence);
-  const float step_variance = StepVariance(options.refinement.subpixel);
+  const Calibration calibration(options);
   for (int y = 0; y < error->rows; ++y) {
     const float* confidence = result.confidence.ptr<float>(y);
     const std::uint8_t* reason = result.reason.ptr<std::uint8_t>(y);
     float* out = error->ptr<float>(y);
     for (int x = 0; x < error->cols; ++x) {
-      const float doubt = 1.0f - confidence[x];
-      const float matching = k.constant + doubt * (k.linear + doubt * k.quadratic);
-      const float sigma = std::sqrt(matching * matching + step_variance);
-      out[x] = reason[x] == static_cast<std::uint8_t>(InvalidReason::kValid) ? sigma : kNan;
+      const bool valid = reason[x] == static_cast<std::uint8_t>(InvalidReason::kValid);
+      out[x] = valid ? calibration.ErrorAt(confidence[x]) : kNan;
     }
   }
 }
@@ -69,6 +77,10 @@ void EstimateDepthError(const MatchResult& result, const cv::Mat& disparity_erro
       out[x] = shifted > 0.0f ? scale / (shifted * shifted) * sigma[x] : kNan;
     }
   }
+}
+
+double DisparityErrorAt(double confidence, const Options& options) {
+  return Calibration(options).ErrorAt(static_cast<float>(confidence));
 }
 
 double DepthErrorAt(const StereoCamera& camera, double depth, double disparity_error) {

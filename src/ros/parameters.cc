@@ -198,6 +198,18 @@ Options ReadPreset(const ros::NodeHandle& nh, const Report& report) {
   }
 }
 
+// Throws std::invalid_argument for the first problem.
+void Check(const NodeletOptions& options) {
+  CheckOptions(options.match);
+  const double nearest = options.stream.min_depth;
+  const double farthest = options.stream.max_depth;
+  if (farthest == 0.0 || nearest < farthest) return;
+  std::ostringstream text;
+  text << "min_depth is " << nearest << " m and max_depth " << farthest
+       << " m; expected the first to be less, or 0 for no limit";
+  throw std::invalid_argument(text.str());
+}
+
 void SetValue(const std::string& name, const std::string& value, dynamic_reconfigure::Config* out) {
   for (auto& parameter : out->strs) {
     if (parameter.name == name) parameter.value = value;
@@ -254,19 +266,20 @@ StereoSynchronizer::Settings ReadSynchronizerSettings(const ros::NodeHandle& pri
   return settings;
 }
 
-Options ReadOptions(const ros::NodeHandle& private_nh, const Report& report) {
-  Options options = ReadPreset(private_nh, report);
-  const Options preset = options;
-  VisitOptions(options, ParameterReader(private_nh, report, ConfigName));
-  VisitOptions(options, ParameterReader(private_nh, report, StereoImageProcName));
-  ReadDisp12MaxDiff(private_nh, &options);
+NodeletOptions ReadOptions(const ros::NodeHandle& private_nh, const Report& report) {
+  NodeletOptions options;
+  options.match = ReadPreset(private_nh, report);
+  const NodeletOptions preset = options;
+  VisitNodeletOptions(options, ParameterReader(private_nh, report, ConfigName));
+  VisitNodeletOptions(options, ParameterReader(private_nh, report, StereoImageProcName));
+  ReadDisp12MaxDiff(private_nh, &options.match);
   ReportWithoutCounterpart(private_nh, report);
   const auto as_in_files = [](const std::string& field_name) {
     return field_name.find('/') == std::string::npos ? "" : field_name;
   };
-  VisitOptions(options, ParameterReader(private_nh, report, as_in_files));
+  VisitNodeletOptions(options, ParameterReader(private_nh, report, as_in_files));
   try {
-    CheckOptions(options);
+    Check(options);
   } catch (const std::invalid_argument& error) {
     report(std::string(error.what()) + "; the preset's options are taken");
     return preset;
@@ -280,11 +293,11 @@ std::string ConfigName(const std::string& field_name) {
   return name;
 }
 
-StereoSgmpConfig ToConfig(const Options& options) {
+StereoSgmpConfig ToConfig(const NodeletOptions& options) {
   StereoSgmpConfig config = StereoSgmpConfig::__getDefault__();
   dynamic_reconfigure::Config message;
   config.__toMessage__(message);
-  VisitOptions(options, [&message](const OptionField& field, const auto& value) {
+  VisitNodeletOptions(options, [&message](const OptionField& field, const auto& value) {
     if constexpr (std::is_enum_v<std::decay_t<decltype(value)>>) {
       SetValue(ConfigName(field.name), std::string(NameOf(value)), &message);
     } else {
@@ -295,12 +308,12 @@ StereoSgmpConfig ToConfig(const Options& options) {
   return config;
 }
 
-Options FromConfig(const StereoSgmpConfig& config) {
+NodeletOptions FromConfig(const StereoSgmpConfig& config) {
   dynamic_reconfigure::Config message;
   config.__toMessage__(message);
-  Options options;
-  VisitOptions(options, ConfigReader{message});
-  CheckOptions(options);
+  NodeletOptions options;
+  VisitNodeletOptions(options, ConfigReader{message});
+  Check(options);
   return options;
 }
 

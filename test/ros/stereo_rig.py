@@ -133,7 +133,9 @@ class Listener:
 
     def _add(self, message):
         with self._arrived:
-            self._messages[message.header.stamp] = message
+            # An array of markers has a header in each of them.
+            header = message.header if hasattr(message, "header") else message.markers[0].header
+            self._messages[header.stamp] = message
             self._arrived.notify_all()
 
     def wait_for(self, stamp):
