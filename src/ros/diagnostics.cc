@@ -65,7 +65,11 @@ void Diagnostics::NoteRejection(const std::string& reason) {
 void Diagnostics::Update(const std::vector<InputTopic>& inputs, bool listening) {
   inputs_ = inputs;
   listening_ = listening;
-  updater_.update();
+  // By the wall clock: that of ROS goes back when a bag is played in a loop.
+  const ros::WallTime now = ros::WallTime::now();
+  if (now < next_update_) return;
+  updater_.force_update();
+  next_update_ = now + ros::WallDuration(updater_.getPeriod());
 }
 
 void Diagnostics::DescribeInputs(Status& status) {
@@ -119,6 +123,7 @@ void Diagnostics::DescribeFrames(Status& status) {
   status.add("frames refused", frame->rejected);
   status.add("given up", frame->load);
   status.addf("latency, arrival to disparity", "%.1f ms", frame->latency_ms);
+  status.addf("latency, arrival to cloud", "%.1f ms", frame->cloud_latency_ms);
   status.addf("age, stamp to disparity", "%.1f ms", frame->age_ms);
   status.addf("matching", "%.1f ms", frame->frame_ms);
   for (const stereo_sgmp::Stage& stage : frame->stages) {

@@ -42,6 +42,7 @@ class Diagnostics {
   bool listening_ = false;
   std::vector<InputTopic> inputs_;
   std::vector<std::uint64_t> last_received_;  // of each input, at the last publication
+  ros::WallTime next_update_;
   ros::WallTime last_inputs_;
   ros::WallTime last_frames_;
   std::uint64_t last_matched_ = 0;

@@ -8,6 +8,13 @@
 #include "ros/conversions.h"
 
 namespace stereo_sgmp {
+namespace {
+
+double MillisecondsSince(const ros::WallTime& start) {
+  return (ros::WallTime::now() - start).toSec() * 1e3;
+}
+
+}  // namespace
 
 FrameProcessor::FrameProcessor(const NodeletOptions& options, Outputs* outputs,
                                const ColorImages* colors, Diagnostics* diagnostics, Tell tell)
@@ -58,14 +65,18 @@ void FrameProcessor::MatchAndPublish(const StereoFrame& frame, std::uint64_t dro
   const MatchedFrame matched{matcher_.result(), matcher_.match_options(), camera,
                              matcher_.level().scale, frame.left->header};
   outputs_->PublishMaps(matched);
-  const double latency_ms = (ros::WallTime::now() - frame.arrival).toSec() * 1e3;
+  Latencies latencies;
+  latencies.disparity = MillisecondsSince(frame.arrival);
+  // As numbers: a ros::Duration does not hold every difference of two stamps.
+  latencies.age = (ros::Time::now().toSec() - frame.left->header.stamp.toSec()) * 1e3;
   ++matched_;
   if (outputs_->CloudWanted()) {
     if (!color) color = colors_->Find(frame.left->header.stamp);
     PublishCloud(matched, color, images.left);
+    latencies.cloud = MillisecondsSince(frame.arrival);
   }
   PublishBaseline(matched, images);
-  PublishStatistics(matched, latency_ms, dropped);
+  PublishStatistics(matched, latencies, dropped);
   CheckRig(frame, images, camera);
 }
 
@@ -117,11 +128,12 @@ void FrameProcessor::PublishBaseline(const MatchedFrame& matched, const InputPai
                              matched.camera, matched.scale, matched.header});
 }
 
-void FrameProcessor::PublishStatistics(const MatchedFrame& matched, double latency_ms,
+void FrameProcessor::PublishStatistics(const MatchedFrame& matched, const Latencies& latencies,
                                        std::uint64_t dropped) {
   const stereo_sgmp::StatisticsPtr message = ToStatistics(matched.result, matched.header);
-  message->latency_ms = latency_ms;
-  message->age_ms = (ros::Time::now() - matched.header.stamp).toSec() * 1e3;
+  message->latency_ms = latencies.disparity;
+  message->cloud_latency_ms = latencies.cloud;
+  message->age_ms = latencies.age;
   message->frames = matched_;
   message->dropped = dropped;
   message->rejected = rejected_;

@@ -42,12 +42,20 @@ class FrameProcessor {
   void Process(const StereoFrame& frame, std::uint64_t dropped);
 
  private:
+  // Milliseconds, as in Statistics.msg.
+  struct Latencies {
+    double disparity = 0.0;
+    double cloud = 0.0;
+    double age = 0.0;
+  };
+
   void MatchAndPublish(const StereoFrame& frame, std::uint64_t dropped);
   void CheckRig(const StereoFrame& frame, const InputPair& images, const StereoCamera& camera);
   void PublishCloud(const MatchedFrame& matched, const sensor_msgs::ImageConstPtr& color,
                     const cv_bridge::CvImageConstPtr& left);
   void PublishBaseline(const MatchedFrame& matched, const InputPair& images);
-  void PublishStatistics(const MatchedFrame& matched, double latency_ms, std::uint64_t dropped);
+  void PublishStatistics(const MatchedFrame& matched, const Latencies& latencies,
+                         std::uint64_t dropped);
   void Reject(const std::string& kind, const std::string& problem);
   cv_bridge::CvImageConstPtr CloudColor(const sensor_msgs::ImageConstPtr& color,
                                         const cv_bridge::CvImageConstPtr& left) const;

@@ -34,6 +34,7 @@ class NodeletCase(unittest.TestCase):
     def listen(self, *topics):
         for topic in topics:
             self.listeners[topic] = rig.Listener("/stereo/" + topic, OUTPUTS[topic])
+            self.listeners[topic].wait_for_publisher()
         self.camera.wait_for_matcher()
 
     def match(self, frame):

@@ -138,6 +138,10 @@ class NodeletTest(NodeletCase):
         self.assertEqual(message.variant, "epv")
         self.assertGreater(message.frame_ms, 0)
         self.assertGreaterEqual(message.latency_ms, message.frame_ms)
+        self.assertEqual(message.cloud_latency_ms, 0)
+        self.listen("points2")
+        message = self.match(self.camera.next_frame())["statistics"]
+        self.assertGreater(message.cloud_latency_ms, message.latency_ms)
         self.assertAlmostEqual(sum(stage.ms for stage in message.stages), message.frame_ms,
                                delta=0.05 * message.frame_ms + 0.5)
         self.assertEqual(sum(message.reasons), rig.WIDTH * rig.HEIGHT)

@@ -1,8 +1,12 @@
 #!/usr/bin/python3
 """Depth, errors, pictures, markers, the baseline, and the options of the cloud and the range."""
+import os
+import re
 import sys
 
 import numpy as np
+import rosgraph
+import rospkg
 import rospy
 import rostest
 from visualization_msgs.msg import Marker
@@ -21,7 +25,28 @@ def is_valid(disparity_message):
     return rig.disparity_array(disparity_message) > disparity_message.min_disparity
 
 
+def documented_topics():
+    """Type by topic, of the table of published topics."""
+    path = os.path.join(rospkg.RosPack().get_path("stereo_sgmp"), "docs", "topics.md")
+    with open(path) as file:
+        section = file.read().split("## Published topics")[1].split("\n## ")[0]
+    return {topic: kind for names, kind in re.findall(r"^\| (.*?) \| `(.*?)` \|", section, re.M)
+            for topic in re.findall("`(.*?)`", names)}
+
+
 class OutputsTest(NodeletCase):
+    def test_docs_name_the_topics(self):
+        master = rosgraph.Master("/outputs_test")
+        publishers, _, _ = master.getSystemState()
+        types = dict(master.getTopicTypes())
+        # Compressed images and the like come with the plugins that are installed.
+        common = re.compile("parameter_|/rosout|/bond|/[^/]*/(compressed|theora)")
+        advertised = {topic: types[topic] for topic, nodes in publishers
+                      if "/stereo/manager" in nodes and not common.search(topic)}
+        documented = {topic if topic.startswith("/") else "/stereo/" + topic: kind
+                      for topic, kind in documented_topics().items()}
+        self.assertEqual(advertised, documented)
+
     def test_depth(self):
         self.listen("disparity", "depth")
         results = self.match(self.camera.next_frame())

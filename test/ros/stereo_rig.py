@@ -144,6 +144,10 @@ class Listener:
                 raise AssertionError("no message on %s for %s" % (self._topic, stamp))
             return self._messages[stamp]
 
+    def wait_for_publisher(self):
+        wait_until(lambda: self._subscriber.get_num_connections() > 0,
+                   "nobody publishes %s" % self._topic)
+
     def has(self, stamp):
         with self._arrived:
             return stamp in self._messages
@@ -165,6 +169,15 @@ class LogListener:
         with self._arrived:
             self._texts.append(message.msg)
             self._arrived.notify_all()
+
+    def count(self):
+        with self._arrived:
+            return len(self._texts)
+
+    def since(self, count):
+        """What was said after so many texts."""
+        with self._arrived:
+            return self._texts[count:]
 
     def wait_for(self, part):
         def said():
