@@ -5,8 +5,10 @@ if(NOT CATKIN_DEVEL_PREFIX)
 endif()
 find_package(catkin REQUIRED COMPONENTS
   cv_bridge
+  diagnostic_msgs
   diagnostic_updater
   dynamic_reconfigure
+  geometry_msgs
   image_transport
   message_filters
   message_generation
@@ -34,8 +36,10 @@ catkin_package(
   LIBRARIES ${PROJECT_NAME}
   CATKIN_DEPENDS
     cv_bridge
+    diagnostic_msgs
     diagnostic_updater
     dynamic_reconfigure
+    geometry_msgs
     image_transport
     message_filters
     message_runtime

@@ -11,7 +11,7 @@ TEST(LookSwappedTest, TellsPairsFromExchangedOnes) {
   for (const SceneKind kind : {SceneKind::kRoom, SceneKind::kCorridor, SceneKind::kFence,
                                SceneKind::kFrontoParallel, SceneKind::kCurved}) {
     SCOPED_TRACE(static_cast<int>(kind));
-    const GeneratedScene scene = MakeScene(kind, {320, 240}, 64, {}, 6);
+    const GeneratedScene scene = MakeScene(kind, {240, 180}, 48, {}, 6);
     Options options;
     options.num_disparities = scene.num_disparities;
     EXPECT_FALSE(LookSwapped(scene.left, scene.right, options));

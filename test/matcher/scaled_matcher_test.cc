@@ -14,7 +14,7 @@ namespace {
 
 // An odd size, which no level divides.
 const GeneratedScene& Scene() {
-  static const GeneratedScene scene = MakeScene(SceneKind::kRoom, {481, 323}, 64, {}, 4);
+  static const GeneratedScene scene = MakeScene(SceneKind::kRoom, {321, 243}, 48, {}, 4);
   return scene;
 }
 
@@ -64,8 +64,8 @@ TEST(ScaledMatcherTest, EachLevelGivesMapsOfTheWholeImageThatAreRight) {
     EXPECT_GT(score.right / score.valid, level < 4 ? 0.9 : 0.8);
     const MatchStatistics& statistics = result.statistics;
     EXPECT_EQ(std::accumulate(std::begin(statistics.reasons), std::end(statistics.reasons), 0),
-              481 * 323);
-    EXPECT_NEAR(statistics.density, statistics.reasons[0] / (481.0 * 323.0), 1e-9);
+              321 * 243);
+    EXPECT_NEAR(statistics.density, statistics.reasons[0] / (321.0 * 243.0), 1e-9);
   }
 }
 
@@ -77,8 +77,8 @@ TEST(ScaledMatcherTest, PlanesAreThoseOfTheWholeImage) {
   // The largest plane lies on the surface that its labels show.
   const PlaneHypothesis& plane = half.priors.planes[0];
   const cv::Mat on_plane = half.priors.labels == 0;
-  const double to_x = 481.0 / on_plane.cols;
-  const double to_y = 323.0 / on_plane.rows;
+  const double to_x = 321.0 / on_plane.cols;
+  const double to_y = 243.0 / on_plane.rows;
   int near_truth = 0;
   int all = 0;
   for (int y = 0; y < on_plane.rows; ++y) {

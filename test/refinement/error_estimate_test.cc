@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -22,7 +24,7 @@ struct Estimated {
 };
 
 Estimated Estimate(SceneKind kind, const std::string& preset) {
-  Estimated e{MakeScene(kind, {480, 320}, 64, {}, 5), PresetOptions(preset), {}, {}};
+  Estimated e{MakeScene(kind, {400, 280}, 64, {}, 5), PresetOptions(preset), {}, {}};
   e.options.num_disparities = e.scene.num_disparities;
   Matcher(e.options).Match(e.scene.left, e.scene.right, &e.result);
   EstimateDisparityError(e.result, e.options, &e.error);
@@ -59,15 +61,18 @@ double Coverage(const Estimated& e, double sigmas, double low = 0.0, double high
 // The curve was fitted to real pairs; generated ones, with other errors, have to agree roughly. (A
 // fence does not: its bars are confidently mistaken for one another, docs/accuracy.md.)
 TEST(ErrorEstimateTest, TwoThirdsOfThePixelsAreWithinOneSigma) {
-  for (const char* preset : {"default", "quality", "paper"}) {
-    for (const SceneKind kind : {SceneKind::kCorridor, SceneKind::kRoom, SceneKind::kCurved}) {
-      const Estimated e = Estimate(kind, preset);
-      SCOPED_TRACE(std::string(preset) + ' ' + std::to_string(static_cast<int>(kind)));
-      EXPECT_GT(Coverage(e, 1.0), 0.6);
-      EXPECT_LT(Coverage(e, 1.0), 0.9);
-      EXPECT_GT(Coverage(e, 3.0), 0.9);
-      EXPECT_LT(Coverage(e, 0.3), 0.5);
-    }
+  const std::pair<SceneKind, const char*> cases[] = {{SceneKind::kCorridor, "default"},
+                                                     {SceneKind::kRoom, "default"},
+                                                     {SceneKind::kCurved, "default"},
+                                                     {SceneKind::kRoom, "quality"},
+                                                     {SceneKind::kRoom, "paper"}};
+  for (const auto& [kind, preset] : cases) {
+    const Estimated e = Estimate(kind, preset);
+    SCOPED_TRACE(std::string(preset) + ' ' + std::to_string(static_cast<int>(kind)));
+    EXPECT_GT(Coverage(e, 1.0), 0.6);
+    EXPECT_LT(Coverage(e, 1.0), 0.9);
+    EXPECT_GT(Coverage(e, 3.0), 0.9);
+    EXPECT_LT(Coverage(e, 0.3), 0.5);
   }
 }
 
