@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """The nodelet with images made in code: values, fields, laziness, bad input, reconfigure."""
 import re
+import subprocess
 import sys
 import unittest
 
-import cv2
 import numpy as np
 import rospy
 import rostest
@@ -14,7 +14,8 @@ from stereo_sgmp.msg import Statistics
 import stereo_rig as rig
 from nodelet_case import NodeletCase, OUTPUTS
 
-OPENCV = tuple(int(number) for number in re.findall(r"\d+", cv2.__version__)[:3])
+OPENCV = tuple(int(number) for number in re.findall(
+    r"\d+", subprocess.check_output(["pkg-config", "--modversion", "opencv4"], text=True))[:3])
 
 
 class NodeletTest(NodeletCase):
