@@ -3,7 +3,8 @@
 
 namespace stereo_sgmp {
 
-// The name of the instruction set that the kernels run with on this machine, such as AVX2.
+// The instruction set that the kernels run with on this machine, by the name that Highway gives it,
+// such as AVX2, or AVX3 for AVX-512.
 const char* SimdTargetName();
 
 }  // namespace stereo_sgmp
