@@ -5,7 +5,10 @@ if(NOT CATKIN_DEVEL_PREFIX)
 endif()
 find_package(catkin REQUIRED COMPONENTS
   cv_bridge
+  diagnostic_msgs
+  diagnostic_updater
   dynamic_reconfigure
+  geometry_msgs
   image_transport
   message_filters
   message_generation
@@ -16,6 +19,7 @@ find_package(catkin REQUIRED COMPONENTS
   sensor_msgs
   std_msgs
   stereo_msgs
+  visualization_msgs
 )
 
 add_message_files(FILES
@@ -32,7 +36,10 @@ catkin_package(
   LIBRARIES ${PROJECT_NAME}
   CATKIN_DEPENDS
     cv_bridge
+    diagnostic_msgs
+    diagnostic_updater
     dynamic_reconfigure
+    geometry_msgs
     image_transport
     message_filters
     message_runtime
@@ -43,5 +50,6 @@ catkin_package(
     sensor_msgs
     std_msgs
     stereo_msgs
+    visualization_msgs
   DEPENDS OpenCV
 )

@@ -15,18 +15,21 @@ const cv::Vec3b kNoPlane(48, 48, 48);
 
 enum Shade { kDark, kPlain, kBright, kShadeCount };
 
-// Colours [plane * kShadeCount + shade]. Hues follow the golden ratio: neighbours in the list
-// differ much, and any number of planes stays apart as far as it can.
-std::vector<cv::Vec3b> PlaneColors(std::size_t planes) {
+constexpr int kSaturation[kShadeCount] = {170, 150, 60};
+constexpr int kValue[kShadeCount] = {70, 175, 255};
+
+double Hue(std::size_t plane) {
   constexpr double kGoldenRatio = 0.6180339887498949;
   constexpr double kHues = 180.0;  // OpenCV's degrees / 2
-  constexpr int kSaturation[kShadeCount] = {170, 150, 60};
-  constexpr int kValue[kShadeCount] = {70, 175, 255};
+  const double turns = kGoldenRatio * static_cast<double>(plane);
+  return kHues * (turns - std::floor(turns));
+}
+
+// Colours [plane * kShadeCount + shade].
+std::vector<cv::Vec3b> PlaneColors(std::size_t planes) {
   cv::Mat_<cv::Vec3b> colors(1, static_cast<int>(planes) * kShadeCount);
   for (int i = 0; i < colors.cols; ++i) {
-    const double turns = kGoldenRatio * (i / kShadeCount);
-    const double hue = kHues * (turns - std::floor(turns));
-    colors(i) = cv::Vec3b(static_cast<std::uint8_t>(hue),
+    colors(i) = cv::Vec3b(static_cast<std::uint8_t>(Hue(static_cast<std::size_t>(i / kShadeCount))),
                           static_cast<std::uint8_t>(kSaturation[i % kShadeCount]),
                           static_cast<std::uint8_t>(kValue[i % kShadeCount]));
   }
@@ -61,6 +64,13 @@ cv::Mat PriorPicture(const PlanePriors& priors, cv::Size size) {
     }
   }
   return std::move(picture);
+}
+
+cv::Vec3b PlaneColor(std::size_t index) {
+  cv::Mat_<cv::Vec3b> color(1, 1);
+  color(0) = cv::Vec3b(static_cast<std::uint8_t>(Hue(index)), kSaturation[kPlain], kValue[kPlain]);
+  cv::cvtColor(color, color, cv::COLOR_HSV2BGR);
+  return color(0);
 }
 
 }  // namespace stereo_sgmp

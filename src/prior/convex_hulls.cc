@@ -4,35 +4,16 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "prior/label_outlines.h"
+
 namespace stereo_sgmp {
 
 void ConvexHulls::Build(const PlaneMap& map) {
   painter_.Start(map.labels.size());
   inside_.create(map.labels.size(), CV_8UC1);
-  CollectOutlines(map);
+  CollectLabelOutlines(map.labels, map.planes.size(), &outlines_);
   // Planes come in falling order of area, so each set lists the largest first.
   for (std::size_t i = 0; i < map.planes.size(); ++i) Paint(static_cast<std::int16_t>(i));
-}
-
-// The first and last pixel of a label in a row span the same hull as all of them.
-void ConvexHulls::CollectOutlines(const PlaneMap& map) {
-  const std::size_t planes = map.planes.size();
-  if (outlines_.size() < planes) outlines_.resize(planes);
-  for (std::vector<cv::Point>& outline : outlines_) outline.clear();
-  for (int y = 0; y < map.labels.rows; ++y) {
-    const std::int16_t* labels = map.labels.ptr<std::int16_t>(y);
-    for (int x = 0; x < map.labels.cols; ++x) {
-      if (labels[x] < 0) continue;
-      std::vector<cv::Point>& outline = outlines_[static_cast<std::size_t>(labels[x])];
-      const std::size_t n = outline.size();
-      const bool extends_row = n >= 2 && outline[n - 1].y == y && outline[n - 2].y == y;
-      if (extends_row) {
-        outline.back().x = x;
-      } else {
-        outline.emplace_back(x, y);
-      }
-    }
-  }
 }
 
 void ConvexHulls::Paint(std::int16_t plane) {

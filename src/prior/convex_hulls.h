@@ -26,7 +26,6 @@ class ConvexHulls {
   const PlaneSets& sets() const { return painter_.sets(); }
 
  private:
-  void CollectOutlines(const PlaneMap& map);
   void Paint(std::int16_t plane);
 
   std::vector<std::vector<cv::Point>> outlines_;  // ends of each row of a label, per plane

@@ -4,13 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <limits>
+#include <vector>
 
 #include <cv_bridge/cv_bridge.h>
 #include <sensor_msgs/image_encodings.h>
 #include <boost/make_shared.hpp>
 
-#include "io/color_map.h"
 #include "stereo_sgmp/option_fields.h"
 
 namespace stereo_sgmp {
@@ -73,6 +72,22 @@ static_assert(sizeof(PackedPoint) == 32 && offsetof(PackedPoint, bgr0) == 16 &&
                   offsetof(PackedPoint, confidence) == 20,
               "copied as raw bytes");
 
+template <class Point>
+std::vector<sensor_msgs::PointField> CloudFields(std::size_t rgb_offset) {
+  return {FloatField("x", offsetof(Point, x)), FloatField("y", offsetof(Point, y)),
+          FloatField("z", offsetof(Point, z)), FloatField("rgb", rgb_offset),
+          FloatField("confidence", offsetof(Point, confidence))};
+}
+
+void Pack(const PointCloud& cloud, std::uint8_t* out) {
+  for (const CloudPoint& point : cloud.points) {
+    const PackedPoint packed{
+        point.x, point.y, point.z, 0.0f, {point.b, point.g, point.r, 0}, point.confidence, {}};
+    std::memcpy(out, &packed, sizeof(packed));
+    out += sizeof(packed);
+  }
+}
+
 stereo_sgmp::Plane ToPlane(const PlaneHypothesis& hypothesis, const StereoCamera& camera) {
   const StereoCamera::SpacePlane space = camera.ToSpace(hypothesis.plane);
   stereo_sgmp::Plane plane;
@@ -133,27 +148,28 @@ stereo_msgs::DisparityImagePtr ToDisparityImage(const MatchResult& result, const
   return message;
 }
 
-sensor_msgs::PointCloud2Ptr ToPointCloud2(const PointCloud& cloud, const std_msgs::Header& header) {
+sensor_msgs::PointCloud2Ptr ToPointCloud2(const PointCloud& cloud, const CloudLayout& layout,
+                                          const std_msgs::Header& header) {
   auto message = boost::make_shared<sensor_msgs::PointCloud2>();
   message->header = header;
   message->width = static_cast<std::uint32_t>(cloud.width);
   message->height = static_cast<std::uint32_t>(cloud.height);
-  message->fields = {
-      FloatField("x", offsetof(PackedPoint, x)), FloatField("y", offsetof(PackedPoint, y)),
-      FloatField("z", offsetof(PackedPoint, z)), FloatField("rgb", offsetof(PackedPoint, bgr0)),
-      FloatField("confidence", offsetof(PackedPoint, confidence))};
   message->is_bigendian = false;
-  message->is_dense = false;
-  message->point_step = sizeof(PackedPoint);
-  message->row_step = message->point_step * message->width;
-  message->data.resize(cloud.points.size() * sizeof(PackedPoint));
-  std::uint8_t* out = message->data.data();
-  for (const CloudPoint& point : cloud.points) {
-    const PackedPoint packed{
-        point.x, point.y, point.z, 0.0f, {point.b, point.g, point.r, 0}, point.confidence, {}};
-    std::memcpy(out, &packed, sizeof(packed));
-    out += sizeof(packed);
+  message->is_dense = layout.is_dense;
+  if (layout.compact) {
+    message->fields = CloudFields<CloudPoint>(offsetof(CloudPoint, b));
+    message->point_step = sizeof(CloudPoint);
+    message->data.resize(cloud.points.size() * sizeof(CloudPoint));
+    if (!cloud.points.empty()) {
+      std::memcpy(message->data.data(), cloud.points.data(), message->data.size());
+    }
+  } else {
+    message->fields = CloudFields<PackedPoint>(offsetof(PackedPoint, bgr0));
+    message->point_step = sizeof(PackedPoint);
+    message->data.resize(cloud.points.size() * sizeof(PackedPoint));
+    Pack(cloud, message->data.data());
   }
+  message->row_step = message->point_step * message->width;
   return message;
 }
 
@@ -197,12 +213,6 @@ stereo_sgmp::StatisticsPtr ToStatistics(const MatchResult& result, const std_msg
 sensor_msgs::ImagePtr ToImageMessage(const cv::Mat& image, const std::string& encoding,
                                      const std_msgs::Header& header) {
   return cv_bridge::CvImage(header, encoding, image).toImageMsg();
-}
-
-cv::Mat DisparityPicture(const MatchResult& result, const Options& options) {
-  cv::Mat disparity;
-  FilteredDisparity(result, std::numeric_limits<float>::infinity(), &disparity);
-  return ColorDisparity(disparity, options.min_disparity, LastDisparity(options));
 }
 
 }  // namespace stereo_sgmp

@@ -36,8 +36,14 @@ stereo_msgs::DisparityImagePtr ToDisparityImage(const MatchResult& result, const
                                                 const StereoCamera& camera,
                                                 const std_msgs::Header& header);
 
-// Organised, x y z rgb confidence, of 32 bytes a point, aligned for SIMD as PCL's points are.
-sensor_msgs::PointCloud2Ptr ToPointCloud2(const PointCloud& cloud, const std_msgs::Header& header);
+struct CloudLayout {
+  bool compact = false;   // 20 bytes a point; else 32, aligned for SIMD as PCL's points are
+  bool is_dense = false;  // all points are valid
+};
+
+// With the fields x y z rgb confidence.
+sensor_msgs::PointCloud2Ptr ToPointCloud2(const PointCloud& cloud, const CloudLayout& layout,
+                                          const std_msgs::Header& header);
 
 stereo_sgmp::PriorsPtr ToPriors(const PlanePriors& priors, const StereoCamera& camera,
                                 const std_msgs::Header& header);
@@ -47,9 +53,6 @@ stereo_sgmp::StatisticsPtr ToStatistics(const MatchResult& result, const std_msg
 
 sensor_msgs::ImagePtr ToImageMessage(const cv::Mat& image, const std::string& encoding,
                                      const std_msgs::Header& header);
-
-// The disparities of ToDisparityImage in colour, BGR: far blue, near red, invalid dark gray.
-cv::Mat DisparityPicture(const MatchResult& result, const Options& options);
 
 }  // namespace stereo_sgmp
 

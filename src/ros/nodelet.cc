@@ -1,17 +1,38 @@
 #include "ros/nodelet.h"
 
-#include <exception>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
+#include <XmlRpcValue.h>
+#include <ros/master.h>
+#include <ros/this_node.h>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "ros/camera_model.h"
-#include "ros/input_images.h"
 #include "ros/parameters.h"
 
 namespace stereo_sgmp {
+namespace {
+
+// What the master knows; nothing where it does not answer at once.
+std::vector<PublishedTopic> PublishedTopics() {
+  XmlRpc::XmlRpcValue request;
+  XmlRpc::XmlRpcValue response;
+  XmlRpc::XmlRpcValue topics;
+  request[0] = ros::this_node::getName();
+  request[1] = "";
+  constexpr bool kWait = false;
+  std::vector<PublishedTopic> published;
+  if (!ros::master::execute("getPublishedTopics", request, response, topics, kWait)) {
+    return published;
+  }
+  for (int i = 0; i < topics.size(); ++i) {
+    published.push_back({topics[i][0], topics[i][1]});
+  }
+  return published;
+}
+
+}  // namespace
 
 void StereoSgmpNodelet::onInit() {
   ros::NodeHandle& nh = getNodeHandle();
@@ -20,13 +41,14 @@ void StereoSgmpNodelet::onInit() {
 
   // dynamic_reconfigure calls back as soon as it has a callback: the options come first.
   options_ = ReadOptions(private_nh, report);
-  matcher_ = std::make_unique<Matcher>(options_);
-  worker_ = std::make_unique<NewestItemWorker<StereoFrame>>(
-      [this](const StereoFrame& frame) { Process(frame); });
+  diagnostics_ = std::make_unique<Diagnostics>(nh, private_nh, getName());
+  MakeWorker(options_);
   synchronizer_ = std::make_unique<StereoSynchronizer>(
       ReadSynchronizerSettings(private_nh, report),
       [this](const StereoFrame& frame) { worker_->Offer(frame); },
-      [this](const std::string& kind, const std::string& problem) { Warn(kind, problem); });
+      [this](const std::string& kind, const std::string& problem) {
+        Tell(Severity::kWarning, kind, problem);
+      });
 
   reconfigure_server_ = std::make_unique<dynamic_reconfigure::Server<StereoSgmpConfig>>(
       reconfigure_mutex_, private_nh);
@@ -38,9 +60,21 @@ void StereoSgmpNodelet::onInit() {
   std::lock_guard<std::mutex> lock(connect_mutex_);
   images_ = std::make_unique<image_transport::ImageTransport>(nh);
   outputs_.Advertise(nh, [this] { Connect(); });
+  watch_timer_ = nh.createWallTimer(ros::WallDuration(1.0), [this](const auto&) { Watch(); });
+}
+
+void StereoSgmpNodelet::MakeWorker(const NodeletOptions& options) {
+  processor_ = std::make_unique<FrameProcessor>(
+      options, &outputs_, &colors_, diagnostics_.get(),
+      [this](Severity severity, const std::string& kind, const std::string& text) {
+        Tell(severity, kind, text);
+      });
+  worker_ = std::make_unique<NewestItemWorker<StereoFrame>>(
+      [this](const StereoFrame& frame) { processor_->Process(frame, worker_->dropped()); });
 }
 
 StereoSgmpNodelet::~StereoSgmpNodelet() {
+  watch_timer_.stop();
   reconfigure_server_.reset();
   {
     std::lock_guard<std::mutex> lock(connect_mutex_);
@@ -71,6 +105,7 @@ void StereoSgmpNodelet::Subscribe() {
   constexpr std::uint32_t kQueue = 5;
   StereoSynchronizer* synchronizer = synchronizer_.get();
   synchronizer->Reset();
+  input_watch_.Reset();
   left_image_ = images_->subscribe("left/image_rect", kQueue, &StereoSynchronizer::AddLeftImage,
                                    synchronizer, hints);
   right_image_ = images_->subscribe("right/image_rect", kQueue, &StereoSynchronizer::AddRightImage,
@@ -106,88 +141,50 @@ void StereoSgmpNodelet::ConnectColor() {
 }
 
 void StereoSgmpNodelet::Reconfigure(StereoSgmpConfig& config) {
-  std::lock_guard<std::mutex> lock(options_mutex_);
   try {
     options_ = FromConfig(config);
-    options_changed_ = true;
+    processor_->SetOptions(options_);
   } catch (const std::invalid_argument& error) {
     config = ToConfig(options_);
     NODELET_ERROR_STREAM(error.what() << "; the options stay as they were");
   }
 }
 
-void StereoSgmpNodelet::Process(const StereoFrame& frame) {
-  try {
-    MatchAndPublish(frame);
-    ++counts_.matched;
-  } catch (const std::exception& error) {
-    ++counts_.rejected;
-    Report(error.what(), error.what());
-  } catch (...) {
-    ++counts_.rejected;
-    Report("unknown", "a frame failed for an unknown reason; it is skipped");
+void StereoSgmpNodelet::Watch() {
+  std::vector<InputTopic> inputs;
+  bool listening = false;
+  {
+    std::lock_guard<std::mutex> lock(connect_mutex_);
+    inputs = Inputs();
+    listening = static_cast<bool>(left_info_);
+  }
+  diagnostics_->Update(inputs, listening);
+  if (listening && input_watch_.IsSilent(inputs, ros::WallTime::now())) {
+    Tell(Severity::kWarning, "silence", SilenceAdvice(inputs, PublishedTopics()));
   }
 }
 
-void StereoSgmpNodelet::MatchAndPublish(const StereoFrame& frame) {
-  const InputPair images = ToInputPair(frame.left, frame.right);
-  const StereoCamera camera =
-      CameraFromInfo(*frame.left_info, *frame.right_info, images.left->image.size());
-  const std::string frame_problem = FrameIdProblem(*frame.left_info, *frame.right_info);
-  if (!frame_problem.empty()) Warn("frame_id", frame_problem);
+std::vector<InputTopic> StereoSgmpNodelet::Inputs() const {
+  const StereoSynchronizer::Counts& received = synchronizer_->received();
+  const std::string image = "sensor_msgs/Image";
+  const std::string info = "sensor_msgs/CameraInfo";
+  const ros::NodeHandle& nh = getNodeHandle();
+  return {{nh.resolveName("left/image_rect"), image, received[0], left_image_.getNumPublishers()},
+          {nh.resolveName("left/camera_info"), info, received[1], left_info_.getNumPublishers()},
+          {nh.resolveName("right/image_rect"), image, received[2], right_image_.getNumPublishers()},
+          {nh.resolveName("right/camera_info"), info, received[3], right_info_.getNumPublishers()}};
+}
 
-  // The colour image may come after the gray ones, or be gone when matching took long.
-  sensor_msgs::ImageConstPtr color;
-  if (outputs_.CloudWanted()) color = colors_.Find(frame.left->header.stamp);
-  ApplyOptions();
-  MatchInputs inputs;
-  inputs.camera = camera;
-  matcher_->Match(images.left->image, images.right->image, inputs, &result_);
-  const std::string& note = result_.priors.note;
-  if (!note.empty()) Warn(note, note);
-  const MatchedFrame matched{result_, matcher_->options(), camera, frame.left->header};
-  outputs_.PublishMaps(matched);
-  const double latency_ms = (ros::WallTime::now() - frame.arrival).toSec() * 1e3;
-  if (outputs_.CloudWanted()) {
-    if (!color) color = colors_.Find(frame.left->header.stamp);
-    outputs_.PublishCloud(matched, CloudColor(color, images.left)->image);
+void StereoSgmpNodelet::Tell(Severity severity, const std::string& kind, const std::string& text) {
+  if (severity == Severity::kInfo) {
+    NODELET_INFO_STREAM(text);
+  } else if (!problems_.ShouldTell(kind)) {
+    return;
+  } else if (severity == Severity::kWarning) {
+    NODELET_WARN_STREAM(text);
+  } else {
+    NODELET_ERROR_STREAM(text);
   }
-  FrameCounts counts = counts_;
-  ++counts.matched;
-  counts.dropped = worker_->dropped();
-  outputs_.PublishStatistics(matched, latency_ms, counts);
-}
-
-// The colour image of the same exposure if it has come and is usable, else the left one.
-cv_bridge::CvImageConstPtr StereoSgmpNodelet::CloudColor(const sensor_msgs::ImageConstPtr& color,
-                                                         const cv_bridge::CvImageConstPtr& left) {
-  if (!color) return left;
-  try {
-    const cv_bridge::CvImageConstPtr image = ToImage(color, "left/image_rect_color");
-    if (image->image.size() == left->image.size()) return image;
-    Warn("color size", "left/image_rect_color is of " + std::to_string(color->width) + " x " +
-                           std::to_string(color->height) + " pixels, left/image_rect of " +
-                           std::to_string(left->image.cols) + " x " +
-                           std::to_string(left->image.rows) +
-                           "; expected one size; the cloud stays gray");
-  } catch (const std::invalid_argument& error) {
-    Warn(error.what(), std::string(error.what()) + "; the cloud stays gray");
-  }
-  return left;
-}
-
-void StereoSgmpNodelet::ApplyOptions() {
-  std::lock_guard<std::mutex> lock(options_mutex_);
-  if (!std::exchange(options_changed_, false)) return;
-  matcher_->SetOptions(options_);
-}
-
-void StereoSgmpNodelet::Warn(const std::string& kind, const std::string& problem) {
-  if (problems_.ShouldTell(kind)) NODELET_WARN_STREAM(problem);
-}
-
-void StereoSgmpNodelet::Report(const std::string& kind, const std::string& problem) {
-  if (problems_.ShouldTell(kind)) NODELET_ERROR_STREAM(problem);
 }
 
 }  // namespace stereo_sgmp

@@ -2,36 +2,38 @@
 #define STEREO_SGMP_ROS_NODELET_H_
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
-#include <cv_bridge/cv_bridge.h>
 #include <dynamic_reconfigure/server.h>
 #include <image_transport/image_transport.h>
 #include <nodelet/nodelet.h>
 #include <ros/subscriber.h>
+#include <ros/wall_timer.h>
 #include <stereo_sgmp/StereoSgmpConfig.h>
 #include <boost/thread/recursive_mutex.hpp>
 
 #include "ros/color_images.h"
+#include "ros/diagnostics.h"
+#include "ros/frame_processor.h"
+#include "ros/input_watch.h"
 #include "ros/outputs.h"
 #include "ros/problem_log.h"
 #include "ros/stereo_frame.h"
+#include "ros/stream_options.h"
 #include "ros/synchronizer.h"
 #include "ros/worker.h"
-#include "stereo_sgmp/match_result.h"
-#include "stereo_sgmp/matcher.h"
-#include "stereo_sgmp/options.h"
 
 namespace stereo_sgmp {
 
-// Rectified stereo images in; disparity, cloud, confidence, priors and statistics out.
+// Rectified stereo images in; disparity, cloud, depth, confidence, priors and statistics out.
 //
 // Threads: all callbacks come from the nodelet's single-threaded queue, and only hand messages
 // on. A thread of its own matches the newest frame and publishes. What both sides touch has a
-// lock of its own: ColorImages, ProblemLog, NewestItemWorker, and the options in here.
+// lock of its own: ColorImages, ProblemLog, Diagnostics, NewestItemWorker, FrameProcessor's
+// options.
 class StereoSgmpNodelet : public nodelet::Nodelet {
  public:
   ~StereoSgmpNodelet() override;
@@ -39,6 +41,7 @@ class StereoSgmpNodelet : public nodelet::Nodelet {
  private:
   // Set-up.
   void onInit() override;
+  void MakeWorker(const NodeletOptions& options);
 
   // Subscribes while somebody listens to an output, and only then.
   void Connect();
@@ -48,34 +51,25 @@ class StereoSgmpNodelet : public nodelet::Nodelet {
 
   void Reconfigure(StereoSgmpConfig& config);
 
-  // The worker's side. Process does not throw.
-  void Process(const StereoFrame& frame);
-  void MatchAndPublish(const StereoFrame& frame);
-  cv_bridge::CvImageConstPtr CloudColor(const sensor_msgs::ImageConstPtr& color,
-                                        const cv_bridge::CvImageConstPtr& left);
-  void ApplyOptions();
+  // Once a second: diagnostics, and a warning when nothing arrives.
+  void Watch();
+  std::vector<InputTopic> Inputs() const;
 
-  // At most once in a while for each kind: of what still gives a result, and of what does not.
-  void Warn(const std::string& kind, const std::string& problem);
-  void Report(const std::string& kind, const std::string& problem);
+  // At most once in a while for each kind, but for what only informs.
+  void Tell(Severity severity, const std::string& kind, const std::string& text);
 
   static constexpr std::size_t kColorImages = 10;
 
   ProblemLog problems_{ros::WallDuration(5.0)};
   ColorImages colors_{kColorImages};
   Outputs outputs_;
-
-  std::mutex options_mutex_;  // guards the two below
-  Options options_;
-  bool options_changed_ = false;
-
-  // Of the worker's thread alone.
-  std::unique_ptr<Matcher> matcher_;
-  MatchResult result_;
-  FrameCounts counts_;
-
+  NodeletOptions options_;  // of the callbacks alone
+  std::unique_ptr<Diagnostics> diagnostics_;
+  std::unique_ptr<FrameProcessor> processor_;
   std::unique_ptr<NewestItemWorker<StereoFrame>> worker_;
   std::unique_ptr<StereoSynchronizer> synchronizer_;
+  InputWatch input_watch_;
+  ros::WallTimer watch_timer_;
 
   std::mutex connect_mutex_;  // guards the below, but for the reconfigure server
   bool closing_ = false;

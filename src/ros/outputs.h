@@ -1,36 +1,21 @@
 #ifndef STEREO_SGMP_ROS_OUTPUTS_H_
 #define STEREO_SGMP_ROS_OUTPUTS_H_
 
-#include <cstdint>
+#include <array>
 #include <functional>
 
 #include <image_transport/image_transport.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
-#include <std_msgs/Header.h>
 #include <opencv2/core.hpp>
 
-#include "stereo_sgmp/match_result.h"
-#include "stereo_sgmp/options.h"
+#include "ros/map_images.h"
+#include "ros/matched_frame.h"
+#include "ros/stream_options.h"
+#include "stereo_sgmp/Statistics.h"
 #include "stereo_sgmp/point_cloud.h"
-#include "stereo_sgmp/stereo_camera.h"
 
 namespace stereo_sgmp {
-
-// A matched frame and what the messages about it need.
-struct MatchedFrame {
-  const MatchResult& result;
-  const Options& options;
-  const StereoCamera& camera;
-  std_msgs::Header header;  // of the left image
-};
-
-// Frames since the start.
-struct FrameCounts {
-  std::uint64_t matched = 0;
-  std::uint64_t dropped = 0;
-  std::uint64_t rejected = 0;
-};
 
 // The topics that the nodelet publishes; each message is made only when somebody listens.
 class Outputs {
@@ -44,24 +29,32 @@ class Outputs {
 
   bool AnyWanted() const;
   bool CloudWanted() const { return cloud_.getNumSubscribers() > 0; }
+  bool BaselineWanted() const {
+    return baseline_.getNumSubscribers() > 0 || baseline_color_.getNumSubscribers() > 0;
+  }
 
-  // Everything but the cloud and the statistics.
-  void PublishMaps(const MatchedFrame& frame);
+  // Everything but the cloud, the baseline and the statistics.
+  void PublishMaps(const MatchedFrame& frame) const;
 
   // Coloured by `image`, of the size of the left one: 8 or 16 bit, gray, BGR or BGRA.
-  void PublishCloud(const MatchedFrame& frame, const cv::Mat& image);
+  void PublishCloud(const MatchedFrame& frame, const cv::Mat& image,
+                    const CloudStreamOptions& options);
 
-  void PublishStatistics(const MatchedFrame& frame, double latency_ms, const FrameCounts& counts);
+  // The same frame matched without prior.
+  void PublishBaseline(const MatchedFrame& frame) const;
+
+  void PublishStatistics(const stereo_sgmp::StatisticsConstPtr& message) const;
 
  private:
   ros::Publisher disparity_;
   ros::Publisher cloud_;
   ros::Publisher priors_;
+  ros::Publisher markers_;
+  ros::Publisher baseline_;
   ros::Publisher statistics_;
-  image_transport::Publisher confidence_;
-  image_transport::Publisher disparity_color_;
-  image_transport::Publisher priors_color_;
-  PointCloud points_;  // kept for its memory
+  image_transport::Publisher baseline_color_;
+  std::array<image_transport::Publisher, kMapImageCount> images_;  // as MapImages()
+  PointCloud points_;                                              // kept for its memory
 };
 
 }  // namespace stereo_sgmp

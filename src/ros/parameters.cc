@@ -143,7 +143,6 @@ class ParameterReader {
 };
 
 // The parameter of stereo_image_proc that means the same as an option; "" when there is none.
-// P1 and P2 are none: they are in the units of another matching cost.
 std::string StereoImageProcName(const std::string& field_name) {
   if (field_name == "num_disparities") return "disparity_range";
   if (field_name == "filter/uniqueness_ratio") return "uniqueness_ratio";
@@ -159,13 +158,33 @@ void ReadDisp12MaxDiff(const ros::NodeHandle& nh, Options* options) {
   options->filter.lr_tolerance = difference > 0.0 ? std::min(difference, 2048.0) : -1.0;
 }
 
-void ReportForeignPenalties(const ros::NodeHandle& nh, const Report& report) {
-  for (const char* name : {"P1", "P2"}) {
-    if (!nh.hasParam(name)) continue;
-    report("parameter " + nh.resolveName(name) +
-           " is ignored: it is in the units of another matching cost; expected "
-           "aggregation/p1, aggregation/alpha and aggregation/beta");
+// stereo_image_proc's penalties are in the units of its own cost, summed over its own window: as
+// numbers they mean nothing here, but their ratio does.
+std::string PenaltyAdvice(const ros::NodeHandle& nh) {
+  double p1 = 0.0;
+  double p2 = 0.0;
+  std::ostringstream advice;
+  advice << "they are in the units of another matching cost, and the defaults of aggregation/p1, "
+            "aggregation/alpha and aggregation/beta fit any camera";
+  if (nh.getParam("P1", p1) && nh.getParam("P2", p2) && p1 > 0.0 && p2 >= p1) {
+    advice << "; a P2 / P1 of " << p2 / p1 << " would be aggregation/alpha " << p2 / p1 - 1.0;
   }
+  return advice.str();
+}
+
+void ReportWithoutCounterpart(const ros::NodeHandle& nh, const Report& report) {
+  std::string found;
+  for (const char* name : {"P1", "P2", "stereo_algorithm", "prefilter_size", "prefilter_cap",
+                           "correlation_window_size", "texture_threshold", "fullDP"}) {
+    if (nh.hasParam(name)) found += (found.empty() ? "" : ", ") + std::string(name);
+  }
+  if (found.empty()) return;
+  std::string text =
+      "of the parameters of stereo_image_proc, these have no counterpart and are "
+      "ignored in " +
+      nh.getNamespace() + ": " + found;
+  if (nh.hasParam("P1") || nh.hasParam("P2")) text += "; of P1 and P2: " + PenaltyAdvice(nh);
+  report(text);
 }
 
 Options ReadPreset(const ros::NodeHandle& nh, const Report& report) {
@@ -177,6 +196,18 @@ Options ReadPreset(const ros::NodeHandle& nh, const Report& report) {
     report("parameter " + nh.resolveName("preset") + ": " + error.what());
     return Options();
   }
+}
+
+// Throws std::invalid_argument for the first problem.
+void Check(const NodeletOptions& options) {
+  CheckOptions(options.match);
+  const double nearest = options.stream.min_depth;
+  const double farthest = options.stream.max_depth;
+  if (farthest == 0.0 || nearest < farthest) return;
+  std::ostringstream text;
+  text << "min_depth is " << nearest << " m and max_depth " << farthest
+       << " m; expected the first to be less, or 0 for no limit";
+  throw std::invalid_argument(text.str());
 }
 
 void SetValue(const std::string& name, const std::string& value, dynamic_reconfigure::Config* out) {
@@ -235,19 +266,20 @@ StereoSynchronizer::Settings ReadSynchronizerSettings(const ros::NodeHandle& pri
   return settings;
 }
 
-Options ReadOptions(const ros::NodeHandle& private_nh, const Report& report) {
-  Options options = ReadPreset(private_nh, report);
-  const Options preset = options;
-  VisitOptions(options, ParameterReader(private_nh, report, ConfigName));
-  VisitOptions(options, ParameterReader(private_nh, report, StereoImageProcName));
-  ReadDisp12MaxDiff(private_nh, &options);
-  ReportForeignPenalties(private_nh, report);
+NodeletOptions ReadOptions(const ros::NodeHandle& private_nh, const Report& report) {
+  NodeletOptions options;
+  options.match = ReadPreset(private_nh, report);
+  const NodeletOptions preset = options;
+  VisitNodeletOptions(options, ParameterReader(private_nh, report, ConfigName));
+  VisitNodeletOptions(options, ParameterReader(private_nh, report, StereoImageProcName));
+  ReadDisp12MaxDiff(private_nh, &options.match);
+  ReportWithoutCounterpart(private_nh, report);
   const auto as_in_files = [](const std::string& field_name) {
     return field_name.find('/') == std::string::npos ? "" : field_name;
   };
-  VisitOptions(options, ParameterReader(private_nh, report, as_in_files));
+  VisitNodeletOptions(options, ParameterReader(private_nh, report, as_in_files));
   try {
-    CheckOptions(options);
+    Check(options);
   } catch (const std::invalid_argument& error) {
     report(std::string(error.what()) + "; the preset's options are taken");
     return preset;
@@ -261,11 +293,11 @@ std::string ConfigName(const std::string& field_name) {
   return name;
 }
 
-StereoSgmpConfig ToConfig(const Options& options) {
+StereoSgmpConfig ToConfig(const NodeletOptions& options) {
   StereoSgmpConfig config = StereoSgmpConfig::__getDefault__();
   dynamic_reconfigure::Config message;
   config.__toMessage__(message);
-  VisitOptions(options, [&message](const OptionField& field, const auto& value) {
+  VisitNodeletOptions(options, [&message](const OptionField& field, const auto& value) {
     if constexpr (std::is_enum_v<std::decay_t<decltype(value)>>) {
       SetValue(ConfigName(field.name), std::string(NameOf(value)), &message);
     } else {
@@ -276,12 +308,12 @@ StereoSgmpConfig ToConfig(const Options& options) {
   return config;
 }
 
-Options FromConfig(const StereoSgmpConfig& config) {
+NodeletOptions FromConfig(const StereoSgmpConfig& config) {
   dynamic_reconfigure::Config message;
   config.__toMessage__(message);
-  Options options;
-  VisitOptions(options, ConfigReader{message});
-  CheckOptions(options);
+  NodeletOptions options;
+  VisitNodeletOptions(options, ConfigReader{message});
+  Check(options);
   return options;
 }
 

@@ -1,4 +1,4 @@
-// ROS parameters and dynamic_reconfigure <-> Options, field by field through VisitOptions.
+// ROS parameters and dynamic_reconfigure <-> Options, field by field through VisitNodeletOptions.
 #ifndef STEREO_SGMP_ROS_PARAMETERS_H_
 #define STEREO_SGMP_ROS_PARAMETERS_H_
 
@@ -8,8 +8,8 @@
 #include <ros/node_handle.h>
 #include <stereo_sgmp/StereoSgmpConfig.h>
 
+#include "ros/stream_options.h"
 #include "ros/synchronizer.h"
-#include "stereo_sgmp/options.h"
 
 namespace stereo_sgmp {
 
@@ -24,17 +24,17 @@ StereoSynchronizer::Settings ReadSynchronizerSettings(
 // values on the parameter server, where they outlive the nodelet. A value of the wrong type, or a
 // variant that needs more than images and their camera, keeps what was there, one out of range is
 // clamped, and all are reported. Does not throw.
-Options ReadOptions(const ros::NodeHandle& private_nh,
-                    const std::function<void(const std::string&)>& report);
+NodeletOptions ReadOptions(const ros::NodeHandle& private_nh,
+                           const std::function<void(const std::string&)>& report);
 
 // The name of an option in dynamic_reconfigure: "prior/variant" is prior_variant.
 std::string ConfigName(const std::string& field_name);
 
-StereoSgmpConfig ToConfig(const Options& options);
+StereoSgmpConfig ToConfig(const NodeletOptions& options);
 
 // Throws std::invalid_argument naming option, value and expectation when the options are no
 // valid ones, or need more than images and their camera.
-Options FromConfig(const StereoSgmpConfig& config);
+NodeletOptions FromConfig(const StereoSgmpConfig& config);
 
 }  // namespace stereo_sgmp
 

@@ -148,6 +148,7 @@ void StereoSynchronizer::Note(std::size_t topic, const ros::Time& stamp) {
   }
   topics_[topic].newest = stamp;
   ++topics_[topic].unpaired;
+  ++received_[topic];
 }
 
 void StereoSynchronizer::ReportIfStuck() {

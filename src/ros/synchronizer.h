@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -41,9 +42,12 @@ class StereoSynchronizer {
   // Forgets the messages that wait.
   void Reset();
 
- private:
+  // Messages since the start: left image, left info, right image, right info.
   static constexpr int kTopics = 4;
+  using Counts = std::array<std::uint64_t, kTopics>;
+  const Counts& received() const { return received_; }
 
+ private:
   class Policy;
 
   struct Topic {
@@ -66,6 +70,7 @@ class StereoSynchronizer {
   const FrameCallback on_frame_;
   const ProblemCallback on_problem_;
   std::array<Topic, kTopics> topics_;
+  Counts received_{};
   std::unique_ptr<Policy> policy_;
 };
 

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "ros/parameters.h"
+#include "ros/stream_options.h"
 #include "stereo_sgmp/option_fields.h"
 #include "stereo_sgmp/presets.h"
 
@@ -18,7 +19,7 @@ namespace {
 
 using dynamic_reconfigure::ConfigTools;
 
-const Options kDefaults;
+const NodeletOptions kDefaults;
 
 std::string Sentence(const OptionField& field) {
   const std::string unit = field.unit;
@@ -51,7 +52,7 @@ T Value(const dynamic_reconfigure::Config& config, const std::string& name) {
 TEST(Config, HasTheOptionsAndNoMore) {
   const auto descriptions = Descriptions();
   std::size_t options = 0;
-  VisitOptions(kDefaults, [&](const OptionField& field, const auto& value) {
+  VisitNodeletOptions(kDefaults, [&](const OptionField& field, const auto& value) {
     ++options;
     const auto found = descriptions.find(ConfigName(field.name));
     ASSERT_NE(found, descriptions.end()) << field.name;
@@ -63,7 +64,7 @@ TEST(Config, HasTheOptionsAndNoMore) {
 
 TEST(Config, HasTheRangesOfTheOptions) {
   const auto& description = StereoSgmpConfig::__getDescriptionMessage__();
-  VisitOptions(kDefaults, [&](const OptionField& field, const auto& value) {
+  VisitNodeletOptions(kDefaults, [&](const OptionField& field, const auto& value) {
     using T = std::decay_t<decltype(value)>;
     if constexpr (std::is_same_v<T, int> || std::is_same_v<T, double>) {
       const std::string name = ConfigName(field.name);
@@ -85,7 +86,7 @@ bool IsForStreams(const T& choice) {
 
 TEST(Config, OffersTheNamesOfTheChoices) {
   const auto descriptions = Descriptions();
-  VisitOptions(kDefaults, [&](const OptionField& field, const auto& value) {
+  VisitNodeletOptions(kDefaults, [&](const OptionField& field, const auto& value) {
     using T = std::decay_t<decltype(value)>;
     if constexpr (std::is_enum_v<T>) {
       const std::string& offered = descriptions.at(ConfigName(field.name))->edit_method;
@@ -98,32 +99,33 @@ TEST(Config, OffersTheNamesOfTheChoices) {
   });
 }
 
-void ExpectEqual(const Options& a, const Options& b) {
+void ExpectEqual(const NodeletOptions& a, const NodeletOptions& b) {
   std::map<std::string, std::string> expected;
   const auto text = [](const auto& value) {
     std::ostringstream out;
     out << std::hexfloat << static_cast<double>(value);
     return out.str();
   };
-  VisitOptions(
+  VisitNodeletOptions(
       a, [&](const OptionField& field, const auto& value) { expected[field.name] = text(value); });
-  VisitOptions(b, [&](const OptionField& field, const auto& value) {
+  VisitNodeletOptions(b, [&](const OptionField& field, const auto& value) {
     EXPECT_EQ(text(value), expected[field.name]) << field.name;
   });
 }
 
 TEST(Config, DefaultsAreThoseOfTheOptions) {
-  ExpectEqual(FromConfig(StereoSgmpConfig::__getDefault__()), Options());
+  ExpectEqual(FromConfig(StereoSgmpConfig::__getDefault__()), NodeletOptions());
 }
 
 TEST(Config, KeepsEveryOption) {
   for (const std::string& preset : PresetNames()) {
-    ExpectEqual(FromConfig(ToConfig(PresetOptions(preset))), PresetOptions(preset));
+    const NodeletOptions options{PresetOptions(preset), StreamOptions()};
+    ExpectEqual(FromConfig(ToConfig(options)), options);
   }
 }
 
 std::string RefusalOf(const std::string& variant) {
-  StereoSgmpConfig config = ToConfig(Options());
+  StereoSgmpConfig config = ToConfig(NodeletOptions());
   config.prior_variant = variant;
   try {
     FromConfig(config);
@@ -147,6 +149,15 @@ TEST(Config, RefusesVariantsThatNeedMoreThanAStream) {
     EXPECT_THAT(RefusalOf(variant), testing::HasSubstr("needs given normals, which a stream"));
   }
   for (const char* variant : {"sgm", "epi", "epv", "mw"}) EXPECT_EQ(RefusalOf(variant), "accepted");
+}
+
+TEST(Config, RefusesDepthsInTheWrongOrder) {
+  StereoSgmpConfig config = ToConfig(NodeletOptions());
+  config.min_depth = 3.0;
+  config.max_depth = 2.0;
+  EXPECT_THROW(FromConfig(config), std::invalid_argument);
+  config.max_depth = 0.0;
+  EXPECT_EQ(FromConfig(config).stream.min_depth, 3.0);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <sensor_msgs/image_encodings.h>
@@ -115,7 +116,7 @@ TEST(PointCloud2, IsOrganisedAndPacked) {
   cloud.width = 2;
   cloud.height = 1;
   cloud.points = {{1, 2, 3, 10, 20, 30, 0, 0.75f}, {kNan, kNan, kNan, 1, 2, 3, 0, 0.0f}};
-  const auto message = ToPointCloud2(cloud, MakeHeader());
+  const auto message = ToPointCloud2(cloud, CloudLayout(), MakeHeader());
   EXPECT_EQ(message->width, 2u);
   EXPECT_EQ(message->height, 1u);
   EXPECT_EQ(message->point_step, 32u);
@@ -185,6 +186,26 @@ TEST(Statistics, CarryTheCounts) {
   EXPECT_EQ(message->stages[1].name, "aggregation");
   EXPECT_EQ(message->reasons[stereo_sgmp::Statistics::BORDER], 1u);
   EXPECT_EQ(message->alignment_offset, 0.5);
+}
+
+TEST(PointCloud2, CompactHasTheSameFieldsWithoutGaps) {
+  PointCloud cloud;
+  cloud.width = 1;
+  cloud.height = 1;
+  cloud.points = {{1, 2, 3, 10, 20, 30, 0, 0.75f}};
+  const auto message = ToPointCloud2(cloud, {true, true}, MakeHeader());
+  EXPECT_EQ(message->point_step, 20u);
+  EXPECT_TRUE(message->is_dense);
+  ASSERT_EQ(message->data.size(), 20u);
+  const std::vector<std::uint32_t> offsets{0, 4, 8, 12, 16};
+  ASSERT_EQ(message->fields.size(), offsets.size());
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    EXPECT_EQ(message->fields[i].offset, offsets[i]);
+  }
+  float confidence = 0.0f;
+  std::memcpy(&confidence, message->data.data() + 16, sizeof(confidence));
+  EXPECT_EQ(confidence, 0.75f);
+  EXPECT_EQ(message->data[14], 30);  // red
 }
 
 }  // namespace

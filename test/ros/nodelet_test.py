@@ -8,63 +8,17 @@ import unittest
 import numpy as np
 import rospy
 import rostest
-from dynamic_reconfigure.client import Client
-from sensor_msgs.msg import Image, PointCloud2, PointField
-from stereo_msgs.msg import DisparityImage
-from stereo_sgmp.msg import Priors, Statistics
+from sensor_msgs.msg import Image, PointField
+from stereo_sgmp.msg import Statistics
 
 import stereo_rig as rig
+from nodelet_case import NodeletCase, OUTPUTS
 
-KINDS = {"disparity": DisparityImage, "points2": PointCloud2, "confidence": Image,
-         "priors": Priors, "statistics": Statistics, "disparity_color": Image,
-         "priors_color": Image}
 OPENCV = tuple(int(number) for number in re.findall(
     r"\d+", subprocess.check_output(["pkg-config", "--modversion", "opencv4"], text=True))[:3])
 
 
-class NodeletTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.camera = rig.Camera()
-        cls.log = rig.LogListener()
-
-    def setUp(self):
-        self.listeners = {}
-
-    def tearDown(self):
-        for listener in self.listeners.values():
-            listener.close()
-        self.camera.wait_for_matcher(connected=False)
-
-    def listen(self, *topics):
-        for topic in topics:
-            self.listeners[topic] = rig.Listener("/stereo/" + topic, KINDS[topic])
-        self.camera.wait_for_matcher()
-
-    def match(self, frame):
-        """Sends a frame, returns what comes out by topic."""
-        self.camera.send(frame)
-        stamp = frame.left.header.stamp
-        return {topic: listener.wait_for(stamp) for topic, listener in self.listeners.items()}
-
-    def match_good_frame(self):
-        results = self.match(self.camera.next_frame())
-        rig.check_disparity(self, results["disparity"])
-
-    def assert_same_frame(self, header, other):
-        self.assertEqual((header.stamp, header.frame_id), (other.stamp, other.frame_id))
-
-    def reconfigurer(self):
-        """A client, and the configuration, which is restored at the end of the test."""
-        client = Client("/stereo/matcher", timeout=rig.TIMEOUT)
-        before = client.update_configuration({})
-
-        def restore():
-            client.update_configuration(before)
-            client.close()
-        self.addCleanup(restore)
-        return client, before
-
+class NodeletTest(NodeletCase):
     def test_disparity(self):
         self.listen("disparity")
         frame = self.camera.next_frame()
@@ -185,21 +139,18 @@ class NodeletTest(unittest.TestCase):
         self.assertEqual(message.variant, "epv")
         self.assertGreater(message.frame_ms, 0)
         self.assertGreaterEqual(message.latency_ms, message.frame_ms)
+        self.assertEqual(message.cloud_latency_ms, 0)
+        self.listen("points2")
+        message = self.match(self.camera.next_frame())["statistics"]
+        self.assertGreater(message.cloud_latency_ms, message.latency_ms)
         self.assertAlmostEqual(sum(stage.ms for stage in message.stages), message.frame_ms,
                                delta=0.05 * message.frame_ms + 0.5)
         self.assertEqual(sum(message.reasons), rig.WIDTH * rig.HEIGHT)
         self.assertAlmostEqual(message.density,
                                message.reasons[Statistics.VALID] / sum(message.reasons), places=6)
 
-    def test_pictures(self):
-        self.listen("disparity_color", "priors_color")
-        for message in self.match(self.camera.next_frame()).values():
-            self.assertEqual(message.encoding, "bgr8")
-            self.assertEqual((message.width, message.height), (rig.WIDTH, rig.HEIGHT))
-            self.assertGreater(np.frombuffer(message.data, np.uint8).std(), 5)
-
     def test_each_output_alone_wakes_the_nodelet(self):
-        for topic in KINDS:
+        for topic in OUTPUTS:
             self.listen(topic)
             self.match(self.camera.next_frame())
             self.listeners.pop(topic).close()

@@ -1,17 +1,22 @@
 #!/usr/bin/python3
-"""The nodelet loaded, unloaded and loaded again, and the node of its own."""
+"""The nodelet loaded, unloaded and loaded again, its presets, and the node of its own."""
+import glob
+import os
 import signal
 import subprocess
 import sys
 import unittest
 
 import rosgraph
+import rospkg
 import rospy
 import rostest
+import yaml
 from stereo_msgs.msg import DisparityImage
 
 import stereo_rig as rig
 
+PRESETS = os.path.join(rospkg.RosPack().get_path("stereo_sgmp"), "launch", "config")
 IN_NAMESPACE = ["__ns:=/stereo", "__name:=matcher"]
 
 
@@ -48,13 +53,43 @@ class ReloadTest(unittest.TestCase):
         if process.poll() is None:
             self.stop(process)
 
-    def check_works(self):
+    def check_works(self, baseline=rig.BASELINE):
         listener = rig.Listener("/stereo/disparity", DisparityImage)
         self.camera.wait_for_matcher()
         frame = self.camera.next_frame()
+        frame.right_info.P[3] = -rig.FOCAL_LENGTH * baseline
         self.camera.send(frame)
         rig.check_disparity(self, listener.wait_for(frame.left.header.stamp))
         listener.close()
+
+    def check_preset(self, path):
+        """It loads without complaint, says what it should, and matches."""
+        rospy.delete_param("/stereo/matcher")
+        subprocess.check_call(["rosparam", "load", path, "/stereo/matcher"])
+        with open(path) as file:
+            wanted = yaml.safe_load(file)
+        heard = self.log.count()
+        process = self.load()
+        # Puts the board, 2.7 m away, and the wall into the depths of every preset.
+        self.check_works(baseline=0.3)
+        wanted.pop("preset")
+        for name, value in wanted.items():
+            for part, of_part in (value.items() if isinstance(value, dict) else [("", value)]):
+                name_there = name + ("_" + part if part else "")
+                self.assertEqual(rospy.get_param("/stereo/matcher/" + name_there), of_part,
+                                 name_there)
+        for text in self.log.since(heard):
+            self.assertNotIn("expected", text)
+        self.stop(process)
+
+    def test_presets(self):
+        paths = glob.glob(os.path.join(PRESETS, "*.yaml"))
+        names = {os.path.splitext(os.path.basename(path))[0] for path in paths}
+        self.assertEqual(names, {"default", "quality", "paper", "indoor", "outdoor", "driving",
+                                 "high_resolution", "low_power"})
+        for path in sorted(paths):
+            with self.subTest(os.path.basename(path)):
+                self.check_preset(path)
 
     def load(self):
         return self.start(rig.program("nodelet", "nodelet"), "load", "stereo_sgmp/stereo_sgmp",
@@ -88,7 +123,7 @@ class ReloadTest(unittest.TestCase):
 
     def test_parameters(self):
         names = {"preset": "paper", "queue_size": 0, "disparity_range": 40, "uniqueness_ratio": 12,
-                 "P1": 200, "disp12MaxDiff": 0, "alignment/mode": False, "prior/variant": "best",
+                 "P1": 200, "P2": 800, "texture_threshold": 10, "disp12MaxDiff": 0, "alignment/mode": False, "prior/variant": "best",
                  "prior_variant": "gs",
                  "filter/speckle_range": 1000.0}
         for name, value in names.items():
@@ -104,7 +139,8 @@ class ReloadTest(unittest.TestCase):
                             "filter_speckle_range": 100.0}.items():
             self.assertEqual(rospy.get_param("/stereo/matcher/" + name), value, name)
         for sentence in ("queue_size is 0; expected at least 1",
-                         "matcher/P1 is ignored",
+                         "ignored in /stereo/matcher: P1, P2, texture_threshold",
+                         "a P2 / P1 of 4 would be aggregation/alpha 3",
                          "prior/variant is best; expected one of sgm, epi, epv, mw",
                          "prior/variant gs needs a given surface, which a stream does not have",
                          "filter/speckle_range is 1000; expected a number from 0 to 100 px"):

@@ -133,7 +133,9 @@ class Listener:
 
     def _add(self, message):
         with self._arrived:
-            self._messages[message.header.stamp] = message
+            # An array of markers has a header in each of them.
+            header = message.header if hasattr(message, "header") else message.markers[0].header
+            self._messages[header.stamp] = message
             self._arrived.notify_all()
 
     def wait_for(self, stamp):
@@ -141,6 +143,10 @@ class Listener:
             if not self._arrived.wait_for(lambda: stamp in self._messages, TIMEOUT):
                 raise AssertionError("no message on %s for %s" % (self._topic, stamp))
             return self._messages[stamp]
+
+    def wait_for_publisher(self):
+        wait_until(lambda: self._subscriber.get_num_connections() > 0,
+                   "nobody publishes %s" % self._topic)
 
     def has(self, stamp):
         with self._arrived:
@@ -163,6 +169,15 @@ class LogListener:
         with self._arrived:
             self._texts.append(message.msg)
             self._arrived.notify_all()
+
+    def count(self):
+        with self._arrived:
+            return len(self._texts)
+
+    def since(self, count):
+        """What was said after so many texts."""
+        with self._arrived:
+            return self._texts[count:]
 
     def wait_for(self, part):
         def said():
