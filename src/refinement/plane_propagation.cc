@@ -84,7 +84,7 @@ void PlanePropagation::Apply(const cv::Mat& image, const cv::Mat& confidence, cv
 }
 
 void PlanePropagation::Reserve(cv::Size size, int threads) {
-  constexpr int kWidth = PropagationStrip::kWidth;
+  constexpr std::ptrdiff_t kWidth = PropagationStrip::kWidth;
   stride_ = (size.width + kWidth - 1) / kWidth * kWidth;
   const std::size_t pixels =
       static_cast<std::size_t>(stride_) * static_cast<std::size_t>(size.height);
