@@ -12,6 +12,7 @@
 #include "images/image_pair.h"
 #include "matcher/coarse_pass.h"
 #include "matcher/disparity_refiner.h"
+#include "matcher/path_unit.h"
 #include "matcher/prior_stage.h"
 
 namespace stereo_sgmp {
@@ -59,7 +60,7 @@ class Pipeline {
 
   void PrepareCost() {
     costs_ = &computer_.Prepare(options_.cost, images_.left_gray(), images_.right_gray(), shape_,
-                                coarse_.radiometric_fit(), &pool_);
+                                coarse_.radiometric_fit(), PathUnit(options_, false), &pool_);
   }
 
   // All costs once, as a sweep asks for them, without using them.
@@ -92,7 +93,8 @@ class Pipeline {
   }
 
   void Aggregate(const PathPrior& prior) {
-    aggregator_.Run(*costs_, images_.left_color(), options_.aggregation, prior, &pool_, &winners_);
+    aggregator_.Run(*costs_, images_.left_color(), options_.aggregation, prior, 0, &pool_,
+                    &winners_);
   }
 
   const BenchPair& pair_;

@@ -3,7 +3,7 @@ import math
 from typing import NamedTuple, Optional
 
 # Of a path cost. The sums of paths take 16 bits in any case.
-PATH_COST_BYTES = 2
+PATH_COST_BYTES = 1
 
 # Operations on single bytes for each pixel and disparity; one on two bytes counts twice.
 # Mixed cost: 5 census bytes (xor, bits, sum), absolute difference (2 saturating, or, limit),

@@ -44,10 +44,11 @@ HWY_INLINE V32 PairDot([[maybe_unused]] D32 d32, V32 a, V32 b, V32 sum) {
   return hn::Add(sum, hn::Add(low, high));
 #else
   const hn::Repartition<std::int16_t, D32> d16;
+  // `sum` stays out of the accumulators: which lanes they hold depends on the target.
   V32 odd = hn::Zero(d32);
-  const V32 even =
-      hn::ReorderWidenMulAccumulate(d32, hn::BitCast(d16, a), hn::BitCast(d16, b), sum, odd);
-  return hn::RearrangeToOddPlusEven(even, odd);
+  const V32 even = hn::ReorderWidenMulAccumulate(d32, hn::BitCast(d16, a), hn::BitCast(d16, b),
+                                                 hn::Zero(d32), odd);
+  return hn::Add(sum, hn::RearrangeToOddPlusEven(even, odd));
 #endif
 }
 
