@@ -167,3 +167,26 @@ make_real_scenes() {
   run_logged "$1/real_scenes.log" "Extracting the real pairs from python3-skimage, opencv-doc" \
     /usr/bin/python3 "$repo/scripts/demo_tools/real_scenes.py" "$1/scenes"
 }
+
+# start_roscore FOLDER: the ROS environment of build/, and a master of our own that disturbs no
+# other, with its files in FOLDER.
+start_roscore() {
+  local work=$1
+  set +u
+  # shellcheck source=/dev/null
+  source "$repo/build/devel/setup.bash"
+  set -u
+  local port
+  port=$(/usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("localhost", 0));
+print(s.getsockname()[1])')
+  unset ROS_IP ROS_NAMESPACE
+  export ROS_HOSTNAME=localhost ROS_MASTER_URI=http://localhost:$port
+  export ROS_HOME=$work/ros_home ROS_LOG_DIR=$work/ros_log
+  roscore -p "$port" > "$work/roscore.log" 2>&1 < /dev/null &
+  children+=("$!")
+  local tries=0
+  until rosparam list > /dev/null 2>&1; do
+    ((++tries < 50)) || fail "roscore does not answer; see $work/roscore.log"
+    sleep 0.2
+  done
+}

@@ -127,6 +127,7 @@ StereoCamera CameraFromInfo(const sensor_msgs::CameraInfo& left,
   camera.cy = left_projection.cy;
   camera.doffs = right_projection.cx - left_projection.cx;
   camera.baseline = -right_projection.tx / right_projection.fx;
+  camera.Check();  // a quotient of finite numbers need not be finite
   return camera;
 }
 

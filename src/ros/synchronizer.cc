@@ -157,7 +157,11 @@ void StereoSynchronizer::ReportIfStuck() {
   const Topic& busiest = *std::max_element(topics_.begin(), topics_.end(), fewer);
   if (busiest.unpaired < patience) return;
   const std::string missing = MissingTopics();
-  on_problem_("pairing", missing.empty() ? UnequalStamps() : missing);
+  if (missing.empty()) {
+    on_problem_("pairing", UnequalStamps());
+  } else {
+    on_problem_(missing, missing);  // each side's silence is a problem of its own
+  }
   for (Topic& topic : topics_) topic.unpaired = 0;
 }
 

@@ -76,6 +76,11 @@ TEST_P(BadCameraInfo, IsRefusedWithValueAndExpectation) {
 INSTANTIATE_TEST_SUITE_P(
     All, BadCameraInfo,
     testing::Values(
+        BadInfo{"overflow",
+                [](CameraInfo* left, CameraInfo* right) {
+                  for (CameraInfo* side : {left, right}) side->P[0] = side->P[5] = 5e-324;
+                },
+                "baseline of the stereo camera is inf, but it has to be positive and finite"},
         BadInfo{"zero", [](CameraInfo*, CameraInfo* right) { right->P.fill(0.0); },
                 "right P[0] is 0; expected the focal length"},
         BadInfo{"baseline", [](CameraInfo*, CameraInfo* right) { right->P[3] = 0.0; },

@@ -1,8 +1,11 @@
 """A stereo camera made in code, and what tests need to talk to the nodelet."""
+import os
 import threading
 import time
+import xmlrpc.client
 
 import numpy as np
+import rosgraph
 import roslib.packages
 import rospy
 from rosgraph_msgs.msg import Log
@@ -91,6 +94,15 @@ class Frame:
         self.left_info = info_message(CX_LEFT, 0.0, stamp)
         self.right_info = info_message(CX_RIGHT, BASELINE, stamp)
 
+    def crop(self, width, height):
+        """To the upper left corner, as cameras of a smaller size would see it."""
+        left, right = (image[:height, :width] for image in make_pair())
+        stamp = self.left.header.stamp
+        self.left = image_message(left, "mono8", stamp)
+        self.right = image_message(right, "mono8", stamp)
+        for info in (self.left_info, self.right_info):
+            info.width, info.height = width, height
+
     def messages(self):
         return {"left/image_rect": self.left, "left/camera_info": self.left_info,
                 "right/image_rect": self.right, "right/camera_info": self.right_info}
@@ -117,9 +129,11 @@ class Camera:
         wait_until(lambda: all(listens(p) == connected for p in self.publishers.values()),
                    "the nodelet %s listen" % ("does not" if connected else "still does"))
 
-    def send(self, frame):
+    def send(self, frame, without=()):
+        """Publishes the messages, but for topics that start with one of `without`."""
         for name, message in frame.messages().items():
-            self.publishers[name].publish(message)
+            if not name.startswith(tuple(without)):
+                self.publishers[name].publish(message)
 
 
 class Listener:
@@ -187,6 +201,18 @@ class LogListener:
                 raise AssertionError("nobody said '%s' but %s" % (part, self._texts[-5:]))
 
 
+def process_of(node):
+    """The process id of a node."""
+    address = rosgraph.Master(rospy.get_name()).lookupNode(node)
+    return xmlrpc.client.ServerProxy(address).getPid(rospy.get_name())[2]
+
+
+def resident_bytes(pid):
+    """Memory of a process that is in RAM."""
+    with open("/proc/%d/statm" % pid) as file:
+        return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+
 def wait_until(condition, problem):
     """Polls in wall time, since simulated time may stand still."""
     end = time.monotonic() + TIMEOUT
@@ -206,6 +232,6 @@ def check_disparity(test, message):
     disparity = disparity_array(message)
     valid = disparity > message.min_disparity
     test.assertGreater(valid.mean(), 0.7)
-    wrong = np.abs(disparity - true_disparity()) > 1.0
-    test.assertLess(wrong[valid].mean(), 0.06)
-    test.assertLess(np.median(np.abs(disparity - true_disparity())[valid]), 0.1)
+    error = np.abs(disparity - true_disparity()[:disparity.shape[0], :disparity.shape[1]])
+    test.assertLess((error > 1.0)[valid].mean(), 0.06)
+    test.assertLess(np.median(error[valid]), 0.1)
