@@ -3,7 +3,9 @@ add_library(stereo_sgmp_compile_options INTERFACE)
 target_compile_options(stereo_sgmp_compile_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion
   # The same bits on every SIMD target: no fused multiply-add behind the program's back.
-  -ffp-contract=off)
+  -ffp-contract=off
+  # Functions of this library are not replaced from outside: they may be inlined.
+  -fno-semantic-interposition)
 # SIMD targets that Highway chooses from at run time: from SSE4 on; older processors take the
 # plain one. Each target adds to the build time. On Arm NEON: vectors of SVE can't stand in arrays,
 # as the kernels have them.

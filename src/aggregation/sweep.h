@@ -53,8 +53,8 @@ class Sweep {
 
  private:
   static constexpr int kRowsPerGroup = 4;
-  static constexpr int kStretch = 32;
-  static constexpr int kRing = 64;  // power of two, >= kStretch + 2
+  static constexpr int kStretch = 16;
+  static constexpr int kRing = 32;  // power of two, >= kStretch + 2
 
   // Row of the right image that is being filled by one row of the last sweep.
   struct RightRowBuffer {

@@ -131,23 +131,23 @@ void PlaneSetPrior::FollowPlanes(const Stretch& stretch, JumpRow* row) const {
   const int count = stretch.x_end - stretch.x_begin;
   const int x_p = stretch.x_begin - stretch.step.dx;
   const int y_p = stretch.y - stretch.step.dy;
-  PlaneJumps jumps;
+  PlaneJumps jumps;  // NOLINT(cppcoreguidelines-pro-type-member-init): set as far as it is read
   std::array<std::uint16_t, kMaxStretch> differ{};
-  for (int k = 0; k < set.count; ++k) {
+  std::int16_t* first = row->jump.data() + stretch.entry;
+  PlaneOf(set, 0).Jumps(x_p, y_p, stretch.step.dx, stretch.step.dy, count, shape_.disparities,
+                        first);
+  std::copy_n(first, count, jumps[0].data());
+  for (int k = 1; k < set.count; ++k) {
     std::int16_t* of_plane = jumps[static_cast<std::size_t>(k)].data();
     PlaneOf(set, k).Jumps(x_p, y_p, stretch.step.dx, stretch.step.dy, count, shape_.disparities,
                           of_plane);
     for (int i = 0; i < count; ++i) {
-      differ[static_cast<std::size_t>(i)] |=
-          static_cast<std::uint16_t>(of_plane[i] ^ jumps[0][static_cast<std::size_t>(i)]);
+      differ[static_cast<std::size_t>(i)] |= static_cast<std::uint16_t>(of_plane[i] ^ first[i]);
     }
   }
   for (int i = 0; i < count; ++i) {
     const auto pixel = static_cast<std::size_t>(i);
-    if (differ[pixel] == 0) {
-      row->jump[static_cast<std::size_t>(stretch.entry + i)] = jumps[0][pixel];
-      continue;
-    }
+    if (differ[pixel] == 0) continue;  // the jump of the first is that of all
     const SurfaceColumn column = ColumnAt(set, x_p + i, y_p);
     SegmentWriter writer(stretch.entry + i, shape_.disparities, row);
     for (int cell = 0; cell < column.cells(); ++cell) {

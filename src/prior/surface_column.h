@@ -57,8 +57,9 @@ class SurfaceColumn {
   static std::size_t Slot(int cell) { return static_cast<std::size_t>(cell); }
 
   int cells_ = 0;
-  std::array<int, kMaxSurfaces> value_{};
-  std::array<int, kMaxSurfaces> surface_{};
+  // Set up to cells_. Clearing the rest would take longer than all that is done with a column.
+  std::array<int, kMaxSurfaces> value_;    // NOLINT(cppcoreguidelines-pro-type-member-init)
+  std::array<int, kMaxSurfaces> surface_;  // NOLINT(cppcoreguidelines-pro-type-member-init)
 };
 
 }  // namespace stereo_sgmp
