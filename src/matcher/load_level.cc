@@ -43,6 +43,7 @@ Options OptionsAtLevel(const Options& options, cv::Size size, const LoadLevel& l
     RefinementOptions& refinement = lowered.refinement;
     refinement.median = refinement.median || refinement.weighted_median;
     refinement.weighted_median = false;
+    refinement.plane_propagation = false;
     refinement.plane_smoothing = false;
     refinement.superpixel_planes = false;
   }
