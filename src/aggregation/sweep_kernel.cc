@@ -214,12 +214,12 @@ HWY_INLINE void SharpenVector(const PixelSum<T>& total, int k, Lanes16 best, int
   }
 }
 
-template <class T, int kPaths>
+template <class T, int kPaths, int kVectors>
 void Sharpen(const SweepStretch<T>& s) {
   const Tag16 d;
-  const PixelShape<T, kAnyVectors> shape(s.disparities);
+  const PixelShape<T, kVectors> shape(s.disparities);
   const PixelSum<T> total{s.total, PartSize(s), shape.Count()};
-  ForEachPixel<T, kPaths, kAnyVectors>(
+  ForEachPixel<T, kPaths, kVectors>(
       s, shape, [&](std::ptrdiff_t offset, const PathSum<T>* sums, int) STEREO_SGMP_INLINE_ATTR {
         const std::ptrdiff_t place = offset * s.stride;
         const Lanes16 best =
@@ -231,56 +231,39 @@ void Sharpen(const SweepStretch<T>& s) {
       });
 }
 
-// Widths whose loops are unrolled: those of 8 bit messages for usual ranges.
-template <class T, int kPaths>
-void FirstOf(const SweepStretch<T>& s) {
-  switch (sizeof(T) == 1 && kPaths == kPathsPerSweep ? PixelShape<T, 0>(s.disparities).vectors
-                                                     : kAnyVectors) {
-    case 1:
-      return First<T, kPaths, 1>(s);
-    case 2:
-      return First<T, kPaths, 2>(s);
-    case 3:
-      return First<T, kPaths, 3>(s);
-    case 4:
-      return First<T, kPaths, 4>(s);
-    case 5:
-      return First<T, kPaths, 5>(s);
-    default:
-      return First<T, kPaths, kAnyVectors>(s);
-  }
-}
-
-template <class T, int kPaths>
-void LastOf(const SweepStretch<T>& s) {
-  switch (sizeof(T) == 1 && kPaths == kPathsPerSweep ? PixelShape<T, 0>(s.disparities).vectors
-                                                     : kAnyVectors) {
-    case 1:
-      return Last<T, kPaths, 1>(s);
-    case 2:
-      return Last<T, kPaths, 2>(s);
-    case 3:
-      return Last<T, kPaths, 3>(s);
-    case 4:
-      return Last<T, kPaths, 4>(s);
-    case 5:
-      return Last<T, kPaths, 5>(s);
-    default:
-      return Last<T, kPaths, kAnyVectors>(s);
-  }
-}
-
-template <class T, int kPaths>
-void SweepOf(const SweepStretch<T>& s) {
+template <class T, int kPaths, int kVectors>
+void SweepVectors(const SweepStretch<T>& s) {
   switch (s.kind) {
     case SweepKind::kStates:
       return States<T, kPaths>(s);
     case SweepKind::kFirst:
-      return FirstOf<T, kPaths>(s);
+      return First<T, kPaths, kVectors>(s);
     case SweepKind::kSharpen:
-      return Sharpen<T, kPaths>(s);
+      // The first round has two paths a sweep.
+      if constexpr (kPaths != kPathsPerSweep) Sharpen<T, kPaths, kVectors>(s);
+      return;
     case SweepKind::kLast:
-      return LastOf<T, kPaths>(s);
+      return Last<T, kPaths, kVectors>(s);
+  }
+}
+
+// Unrolls the loops over the vectors of a pixel: those of 8 bit messages for usual ranges.
+template <class T, int kPaths>
+void SweepOf(const SweepStretch<T>& s) {
+  const int vectors = sizeof(T) == 1 ? PixelShape<T, kAnyVectors>(s.disparities).vectors : 0;
+  switch (vectors) {
+    case 1:
+      return SweepVectors<T, kPaths, 1>(s);
+    case 2:
+      return SweepVectors<T, kPaths, 2>(s);
+    case 3:
+      return SweepVectors<T, kPaths, 3>(s);
+    case 4:
+      return SweepVectors<T, kPaths, 4>(s);
+    case 5:
+      return SweepVectors<T, kPaths, 5>(s);
+    default:
+      return SweepVectors<T, kPaths, kAnyVectors>(s);
   }
 }
 

@@ -10,8 +10,6 @@ namespace {
 Options Quality() {
   Options options;
   options.aggregation.scheme = PathScheme::kFourTwice;
-  options.aggregation.path_costs = PathCosts::kFull;  // the second round needs the steps
-  options.aggregation.p1 = 120;
   options.prior.coarse_factor = 3;
   options.refinement.median = false;
   options.refinement.weighted_median = true;

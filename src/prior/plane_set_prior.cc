@@ -132,7 +132,8 @@ void PlaneSetPrior::FollowPlanes(const Stretch& stretch, JumpRow* row) const {
   const int x_p = stretch.x_begin - stretch.step.dx;
   const int y_p = stretch.y - stretch.step.dy;
   PlaneJumps jumps;  // NOLINT(cppcoreguidelines-pro-type-member-init): set as far as it is read
-  std::array<std::uint16_t, kMaxStretch> differ{};
+  std::array<std::uint16_t, kMaxStretch> differ;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  std::fill_n(differ.begin(), count, std::uint16_t{0});
   std::int16_t* first = row->jump.data() + stretch.entry;
   PlaneOf(set, 0).Jumps(x_p, y_p, stretch.step.dx, stretch.step.dy, count, shape_.disparities,
                         first);
