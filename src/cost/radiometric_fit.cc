@@ -9,7 +9,7 @@ namespace stereo_sgmp {
 namespace {
 
 constexpr std::size_t kMinMatches = 100;
-constexpr int kMaxMatches = 40000;  // more do not change the fit, only its time
+constexpr int kMaxMatches = 10000;  // more do not change the fit, only its time
 constexpr int kSaturated = 250;     // gray levels above may be clipped
 constexpr int kIterations = 10;
 constexpr double kWorthwhile = 0.8;  // of the deviation without a fit
@@ -23,7 +23,7 @@ constexpr double kMaxGain = 5.0;
 void RadiometricFitter::CollectPairs(const cv::Mat& left, const cv::Mat& right,
                                      const cv::Mat& disparity, const cv::Mat& confident) {
   const double pixels = static_cast<double>(left.total());
-  const int step = std::max(1, static_cast<int>(std::sqrt(pixels / kMaxMatches)));
+  const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kMaxMatches))));
   pairs_.clear();
   for (int y = 0; y < left.rows; y += step) {
     for (int x = 0; x < left.cols; x += step) {

@@ -29,6 +29,11 @@ void CheckRange(const Options& options, cv::Size size) {
   throw std::invalid_argument(text.str());
 }
 
+// For planes, or for the radiometric fit of the mixed cost.
+bool NeedsCoarsePass(const Options& options) {
+  return options.prior.variant != Variant::kSgm || options.cost.kind == CostKind::kMixed;
+}
+
 }  // namespace
 
 class Matcher::Impl {
@@ -65,7 +70,7 @@ class Matcher::Impl {
     result->statistics.alignment = AlignRows();
     clock.Mark("alignment");
 
-    coarse_.Run(options_, images_, pool_.get());
+    if (NeedsCoarsePass(options_)) coarse_.Run(options_, images_, pool_.get());
     clock.Mark("coarse pass");
     const PathPrior prior =
         prior_.Make(options_.prior, inputs, images_, coarse_, shape, pool_.get(), &result->priors);
