@@ -35,7 +35,7 @@ class RespawnTest(unittest.TestCase):
             rig.check_disparity(self, listener.wait_for(frame.left.header.stamp))
         self.start()
         check_works()
-        os.kill(rig.process_of("/stereo/stereo_sgmp_manager"), signal.SIGKILL)
+        os.kill(rig.process_of(rig.node_like("/stereo_sgmp_manager")), signal.SIGKILL)
         camera.wait_for_matcher(connected=False)
         check_works()
 

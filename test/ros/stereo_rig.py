@@ -201,6 +201,13 @@ class LogListener:
                 raise AssertionError("nobody said '%s' but %s" % (part, self._texts[-5:]))
 
 
+def node_like(beginning):
+    """The node whose name begins so; of several, any."""
+    names = {name for topics in rosgraph.Master(rospy.get_name()).getSystemState()
+             for _, nodes in topics for name in nodes}
+    return next(name for name in sorted(names) if name.startswith(beginning))
+
+
 def process_of(node):
     """The process id of a node."""
     address = rosgraph.Master(rospy.get_name()).lookupNode(node)
