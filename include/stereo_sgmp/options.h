@@ -73,7 +73,7 @@ struct CostOptions {
 struct AggregationOptions {
   PathScheme scheme = PathScheme::kEight;
   PathCosts path_costs = PathCosts::kCompact;
-  int p1 = 112;
+  int p1 = 116;
   double alpha = 12.0;
   double beta = 7.0;
   bool color_guide = true;

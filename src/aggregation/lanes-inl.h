@@ -57,12 +57,6 @@ HWY_INLINE Lanes<T> FromBelow(Lanes<T> below, Lanes<T> v) {
   return below;
 #else
   const Tag<T> d;
-#if HWY_TARGET == HWY_AVX3_DL
-  if constexpr (sizeof(T) == 1) {
-    const auto from = hn::Iota(d, T{63});  // of both vectors, one after the other
-    return Lanes<T>{_mm512_permutex2var_epi8(below.raw, from.raw, v.raw)};
-  }
-#endif
 #if HWY_TARGET <= HWY_AVX3
   const Lanes<T> blocks{_mm512_alignr_epi64(v.raw, below.raw, 6)};
 #elif HWY_TARGET == HWY_AVX2
@@ -82,12 +76,6 @@ HWY_INLINE Lanes<T> FromAbove(Lanes<T> v, Lanes<T> above) {
   return above;
 #else
   const Tag<T> d;
-#if HWY_TARGET == HWY_AVX3_DL
-  if constexpr (sizeof(T) == 1) {
-    const auto from = hn::Iota(d, T{1});  // of both vectors, one after the other
-    return Lanes<T>{_mm512_permutex2var_epi8(v.raw, from.raw, above.raw)};
-  }
-#endif
 #if HWY_TARGET <= HWY_AVX3
   const Lanes<T> blocks{_mm512_alignr_epi64(above.raw, v.raw, 2)};
 #elif HWY_TARGET == HWY_AVX2

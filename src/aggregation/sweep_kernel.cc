@@ -1,8 +1,3 @@
-// Lanes move across a vector of bytes in one instruction from this target on.
-#ifndef HWY_WANT_AVX3_DL
-#define HWY_WANT_AVX3_DL
-#endif
-
 #include "aggregation/sweep_kernel.h"
 
 #undef HWY_TARGET_INCLUDE
