@@ -74,6 +74,11 @@ std::size_t PriorMemory(Variant variant, const VolumeShape& full, const VolumeSh
   return 0;
 }
 
+// Rounded up.
+int Megabytes(std::size_t bytes) {
+  return static_cast<int>(std::ceil(static_cast<double>(bytes) / kMegabyte));
+}
+
 VolumeShape FullShape(const Options& options, cv::Size image_size) {
   return {image_size.width, image_size.height, options.num_disparities, options.min_disparity};
 }
@@ -112,19 +117,34 @@ std::size_t EstimateMemory(const Options& options, cv::Size image_size, const Ma
                             StripRows(options, image_size, inputs));
 }
 
+namespace {
+
+// Throws that `needed` bytes are more than there is.
+[[noreturn]] void Refuse(const Options& options, cv::Size image_size, std::size_t needed,
+                         const std::string& why) {
+  std::ostringstream text;
+  text << "matching " << image_size.width << "x" << image_size.height << " pixels with "
+       << options.num_disparities << " disparities needs " << Megabytes(needed) << " MB, but "
+       << why;
+  throw std::runtime_error(text.str());
+}
+
+}  // namespace
+
 void CheckMemory(const Options& options, cv::Size image_size, const MatchInputs& inputs,
                  std::size_t held) {
   const std::size_t needed = EstimateMemory(options, image_size, inputs);
+  if (options.memory_limit > 0 && Megabytes(needed) > options.memory_limit) {
+    Refuse(options, image_size, needed,
+           "memory_limit is " + std::to_string(options.memory_limit) +
+               " MB; raise it, or lower num_disparities or the image size");
+  }
   if (needed <= held) return;
   const std::size_t available = AvailableMemory();
   if (needed - held <= available) return;
-  std::ostringstream text;
-  text << "matching " << image_size.width << "x" << image_size.height << " pixels with "
-       << options.num_disparities << " disparities needs "
-       << static_cast<long>(static_cast<double>(needed) / kMegabyte) << " MB, but only "
-       << static_cast<long>(static_cast<double>(available) / kMegabyte)
-       << " MB are free; lower num_disparities or the image size";
-  throw std::runtime_error(text.str());
+  Refuse(options, image_size, needed,
+         "only " + std::to_string(Megabytes(available)) +
+             " MB are free; set memory_limit, or lower num_disparities or the image size");
 }
 
 }  // namespace stereo_sgmp

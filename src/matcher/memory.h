@@ -10,8 +10,9 @@
 
 namespace stereo_sgmp {
 
-// Throws std::runtime_error, naming both sizes and what to lower, when a Matcher that already
-// holds `held` bytes would need more than the machine has left.
+// Throws std::runtime_error, naming both sizes and what to change, when a Matcher that already
+// holds `held` bytes would need more than the machine has left, or than Options::memory_limit even
+// in the smallest strips.
 void CheckMemory(const Options& options, cv::Size image_size, const MatchInputs& inputs,
                  std::size_t held);
 

@@ -212,6 +212,26 @@ TEST(MatcherTest, AVolumeThatDoesNotFitIsRefusedBeforeWorkStarts) {
   EXPECT_THAT(ErrorOf(options, image, image), HasSubstr("lower num_disparities"));
 }
 
+TEST(MatcherTest, ALimitOfMemoryChangesNothingButTheMemory) {
+  const GeneratedScene scene = MakeScene(SceneKind::kRoom, {640, 300}, 64, {}, 2);
+  for (const char* preset : {"default", "quality"}) {
+    SCOPED_TRACE(preset);
+    Options options = PresetOptions(preset);
+    options.num_disparities = 64;
+    options.alignment.mode = AlignmentMode::kOff;
+    const MatchResult unlimited = MatchOnce(options, scene.left, scene.right);
+    constexpr double kMegabyte = 1024.0 * 1024.0;
+    const double all = static_cast<double>(EstimateMemory(options, scene.left.size()));
+    options.memory_limit = static_cast<int>(all / kMegabyte) - 8;  // a third of S
+    const double limited = static_cast<double>(EstimateMemory(options, scene.left.size()));
+    EXPECT_LE(limited, options.memory_limit * kMegabyte);
+    ExpectSameBits(MatchOnce(options, scene.left, scene.right), unlimited);
+    options.memory_limit = 1;
+    EXPECT_THAT(ErrorOf(options, scene.left, scene.right),
+                HasSubstr("memory_limit is 1 MB; raise it"));
+  }
+}
+
 TEST(MatcherTest, TheMemoryIsThatOfTheVariantAndOfOwnCosts) {
   const cv::Size size(400, 300);
   const std::size_t pixels = 400 * 300;
