@@ -68,6 +68,9 @@ std::vector<SubjectEntry> FrameSubjects() {
     subjects.push_back(Ours(preset, PresetOptions(preset)));
   }
   subjects.push_back(Ours("default_avx2", Options(), SimdTargets::kUpToAvx2));
+  Options lean;
+  lean.memory_limit = 1000;
+  subjects.push_back(Ours("default_lean", lean));
   Options epi;
   epi.prior.variant = Variant::kEpi;
   subjects.push_back(Ours("default_epi", epi));

@@ -49,6 +49,8 @@ BARS = (
     Bar("default with EPi / without prior", HALF, "frame/default_epi/2", "frame/default_sgm/2",
         1.12),
     Bar("default with 1 thread / with 2", HALF, "frame/default/1", "frame/default/2", 1.75, True),
+    Bar("default within 1000 MB / without limit", FULL, "frame/default_lean/2", "frame/default/2",
+        1.35),
     Bar("first frame of default / warm frame", FULL, FIRST, "frame/default/2", 2.0),
 )
 

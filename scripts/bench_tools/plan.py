@@ -31,6 +31,7 @@ THREADS = (1, 2)
 REFERENCE = "opencv/sgbm_3way"
 FRAMES = ("frame/default", "frame/default_avx2", "frame/default_sgm", "frame/default_epi",
           "frame/census_sgm", "frame/quality", "frame/paper")
+LEAN = "frame/default_lean"  # within 1000 MB, which matters for large images alone
 OPENCV = ("opencv/sgbm", "opencv/hh4", "opencv/hh")
 STAGES = ("stage/images", "stage/alignment_fit", "stage/alignment_warp", "stage/coarse_pass",
           "stage/prior_epi", "stage/prior_epv", "stage/cost", "stage/aggregation_none",
@@ -68,9 +69,11 @@ def full_plan(size):
         groups = (Group(_with(THREADS, REFERENCE, *FRAMES, *OPENCV, *STAGES), count),)
     else:
         groups = tuple(Group(_with(THREADS, REFERENCE, subject), count) for subject in FRAMES)
-        groups += (Group(_with((2,), REFERENCE, *STAGES), count),)
+        groups += (Group(_with((2,), "frame/default", LEAN), count),
+                   Group(_with((2,), REFERENCE, *STAGES), count))
         groups += tuple(Group(_with((2,), REFERENCE, subject), 2) for subject in OPENCV)
-    return Plan(groups, _with((2,), *FIRST))
+    large = (LEAN,) if size.width * size.height * size.disparities >= _LARGE else ()
+    return Plan(groups, _with((2,), *FIRST, *large))
 
 
 def quick_plan(size):
