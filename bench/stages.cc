@@ -55,8 +55,9 @@ class Pipeline {
 
   void Coarse() { coarse_.Run(options_, images_, &pool_); }
 
-  PathPrior EpiPrior() { return MakePrior(Variant::kEpi, &epi_stage_); }
-  PathPrior EpvPrior() { return MakePrior(Variant::kEpv, &epv_stage_); }
+  // One plane for each pixel, without the copies that would make it a 3D prior.
+  PathPrior EpiPrior() { return MakePrior(Variant::kEpi, 0.0, &epi_stage_); }
+  PathPrior EpvPrior() { return MakePrior(Variant::kEpv, options_.prior.attraction, &epv_stage_); }
 
   void PrepareCost() {
     costs_ = &computer_.Prepare(options_.cost, images_.left_gray(), images_.right_gray(), shape_,
@@ -86,9 +87,10 @@ class Pipeline {
   void Refine() { refiner_.Run(winners_, images_.left_color(), options_, &pool_, &result_); }
 
  private:
-  PathPrior MakePrior(Variant variant, PriorStage* stage) {
+  PathPrior MakePrior(Variant variant, double attraction, PriorStage* stage) {
     PriorOptions options = options_.prior;
     options.variant = variant;
+    options.attraction = attraction;
     return stage->Make(options, MatchInputs(), images_, coarse_, shape_, &pool_, &report_);
   }
 
