@@ -106,7 +106,11 @@ class PathSum {
  public:
   static constexpr int kParts = SumLayout<T>::kParts;
 
-  PathSum() : pairs_(hn::Zero(Tag16())), odd_(hn::Zero(Tag16())) {}
+  // Not by a constructor: of an array for any number of disparities, few are used.
+  HWY_INLINE void Clear() {
+    pairs_ = hn::Zero(Tag16());
+    odd_ = hn::Zero(Tag16());
+  }
 
   HWY_INLINE void Add(Lanes<T> costs) {
     const Tag16 d;

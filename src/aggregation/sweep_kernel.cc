@@ -59,9 +59,7 @@ HWY_INLINE void ForEachPixel(const SweepStretch<T>& s, const PixelShape<T, kVect
     PathStepState<T> paths[kPaths];
     for (int path = 0; path < kPaths; ++path) paths[path] = PrepareStep(s, path, u);
     PathSum<T> sums[PixelShape<T, kVectors>::kMost];
-    if constexpr (kVectors == kAnyVectors) {
-      for (int v = 0; v < shape.Count(); ++v) sums[v] = PathSum<T>();
-    }
+    for (int v = 0; v < shape.Count(); ++v) sums[v].Clear();
     const int minimum_sum =
         AdvancePaths<T, kPaths, kVectors>(shape, paths, s.cost + offset * s.stride, s.p1, sums);
     std::swap(s.across->before, s.across->here);
