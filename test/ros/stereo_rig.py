@@ -25,9 +25,11 @@ TIMEOUT = 60.0
 
 
 def program(package, name):
-    """Its path. Unlike rosrun, this finds the programs of a build folder inside the package."""
-    (path,) = roslib.packages.find_node(package, name)
-    return path
+    """Its path. Unlike rosrun, this finds the programs of a build folder inside the package; of
+    several such folders, in the one whose environment is set."""
+    build = os.environ.get("CMAKE_PREFIX_PATH", "").split(os.pathsep)[0]
+    return min(roslib.packages.find_node(package, name),
+               key=lambda path: not path.startswith(build + os.sep))
 
 
 def texture(height, width, seed):
