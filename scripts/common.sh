@@ -171,7 +171,7 @@ make_real_scenes() {
 # start_roscore FOLDER: the ROS environment of build/, and a master of our own that disturbs no
 # other, with its files in FOLDER.
 start_roscore() {
-  local work=$1
+  local folder=$1
   set +u
   # shellcheck source=/dev/null
   source "$repo/build/devel/setup.bash"
@@ -181,12 +181,12 @@ start_roscore() {
 print(s.getsockname()[1])')
   unset ROS_IP ROS_NAMESPACE
   export ROS_HOSTNAME=localhost ROS_MASTER_URI=http://localhost:$port
-  export ROS_HOME=$work/ros_home ROS_LOG_DIR=$work/ros_log
-  roscore -p "$port" > "$work/roscore.log" 2>&1 < /dev/null &
+  export ROS_HOME=$folder/ros_home ROS_LOG_DIR=$folder/ros_log
+  roscore -p "$port" > "$folder/roscore.log" 2>&1 < /dev/null &
   children+=("$!")
   local tries=0
   until rosparam list > /dev/null 2>&1; do
-    ((++tries < 50)) || fail "roscore does not answer; see $work/roscore.log"
+    ((++tries < 50)) || fail "roscore does not answer; see $folder/roscore.log"
     sleep 0.2
   done
 }
