@@ -2,21 +2,18 @@
 import math
 from typing import NamedTuple, Optional
 
-# Of a path cost. The sums of paths take 16 bits in any case.
-PATH_COST_BYTES = 1
-
 # Operations on single bytes for each pixel and disparity; one on two bytes counts twice.
 # Mixed cost: 5 census bytes (xor, bits, sum), absolute difference (2 saturating, or, limit),
 # gradient (2 differences of 3, sum, limit), the terms into one byte (11).
 _COST = 14 + 4 + 8 + 11
 # A path: predecessor's neighbours (minimum, sum with P1), itself, P2 (2 minima), less the
-# smallest, plus the cost, running minimum. Eight of them, added up in 16 bits; then the stored
-# sum, the winner (minimum, comparison), the right image's (minimum, comparison, choice of cost and
-# index), the second best, 16 bits each.
-_AGGREGATION = 8 * 7 * PATH_COST_BYTES + 2 * 8 + 2 * 8
+# smallest, plus the cost, running minimum, its share of the sum. Eight of them; then both halves of
+# the sum, the winner (minimum, comparison), the right image's (minimum, comparison, choice of the
+# index), the second best (comparison, minimum), 16 bits each.
+_AGGREGATION = 8 * 8 + 2 * 8
 _SWEEPS = 2  # each asks for the costs
-# The sum of the first four paths, 16 bits, written and read.
-_AGGREGATION_BYTES = 4
+# The sum of the first four paths, written and read.
+_AGGREGATION_BYTES = 2
 
 
 class Work(NamedTuple):

@@ -47,7 +47,7 @@ std::size_t MemoryOf(const VolumeShape& shape, PathScheme scheme, int threads, i
   const std::size_t pixels = shape.PaddedSize() / stride;
   const RowStrips strips(shape.height, strip_rows);
   const std::size_t sum = static_cast<std::size_t>(strips.rows()) *
-                          static_cast<std::size_t>(shape.width) * stride * sizeof(std::uint16_t);
+                          static_cast<std::size_t>(shape.width) * stride * sizeof(T);
   const auto lines = static_cast<std::size_t>(strips.Count() > 1 ? strips.Count() + 1 : 0);
   const std::size_t sharpened = scheme == PathScheme::kFourTwice ? shape.PaddedSize() : 0;
   constexpr std::size_t kWinnerMapBytes = 7 * sizeof(std::uint16_t);
@@ -60,9 +60,11 @@ std::size_t MemoryOf(const VolumeShape& shape, PathScheme scheme, int threads, i
 template <class T>
 class Rounds {
  public:
-  // A forward and a backward sweep over all rows; the latter ends as `last` says. `sum` holds the
-  // rows of a strip.
-  void Run(SweepJob job, SweepKind last, const RowStrips& strips, ThreadPool* pool) {
+  // A forward and a backward sweep over all rows; the latter ends as `last` says.
+  void Run(SweepJob<T> job, SweepKind last, const RowStrips& strips, ThreadPool* pool) {
+    sum_.Resize(static_cast<std::size_t>(strips.rows()) *
+                (job.costs->shape().PaddedSize() / static_cast<std::size_t>(strips.height())));
+    job.sum = sum_.data();
     SaveCheckpoints(job, strips, pool);
     for (int strip = strips.Count(); strip-- > 0;) {
       job.begin = strips.Begin(strip);
@@ -84,7 +86,7 @@ class Rounds {
 
  private:
   // The messages of the forward sweep from each strip to the next.
-  void SaveCheckpoints(SweepJob job, const RowStrips& strips, ThreadPool* pool) {
+  void SaveCheckpoints(SweepJob<T> job, const RowStrips& strips, ThreadPool* pool) {
     checkpoints_.resize(static_cast<std::size_t>(strips.Count() - 1));
     job.kind = SweepKind::kStates;
     job.backward = false;
@@ -100,6 +102,7 @@ class Rounds {
   }
 
   Sweep<T> sweep_;
+  AlignedBuffer<T> sum_;  // of the rows of a strip
   std::vector<StateLineBuffer<T>> checkpoints_;
   std::array<StateLineBuffer<T>, 2> backward_;
 };
@@ -127,17 +130,13 @@ class Aggregator::Impl {
     const VolumeShape& shape = costs.shape();
     winners->Create(shape);
     contrast_.Compute(guide, pool);
-    const auto pixels_of_row = static_cast<std::size_t>(shape.width);
-    const auto stride = static_cast<std::size_t>(shape.Stride());
-    sum_.Resize(static_cast<std::size_t>(strips.rows()) * pixels_of_row * stride);
-    minimum_sum_.Resize(shape.PaddedSize() / stride);
+    minimum_sum_.Resize(shape.PaddedSize() / static_cast<std::size_t>(shape.Stride()));
 
-    SweepJob job;
+    SweepJob<T> job;
     job.costs = &costs;
     job.contrast = &contrast_;
     job.penalties = &penalties;
     job.prior = prior.first_round;
-    job.sum = sum_.data();
     job.minimum_sum = minimum_sum_.data();
     job.winners = winners;
     if (options.scheme == PathScheme::kEight) {
@@ -157,7 +156,6 @@ class Aggregator::Impl {
   Contrast contrast_;
   Rounds<std::uint8_t> rounds8_;
   Rounds<std::uint16_t> rounds16_;
-  AlignedBuffer<std::uint16_t> sum_;
   AlignedBuffer<std::uint16_t> minimum_sum_;
   AlignedBuffer<std::uint8_t> sharpened_;
 };

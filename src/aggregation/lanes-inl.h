@@ -94,49 +94,37 @@ HWY_INLINE Lanes<T> TailBits(int count) {
   return hn::VecFromMask(d, hn::Not(hn::FirstN(d, static_cast<std::size_t>(count))));
 }
 
-// Sums of path costs over paths, 16 bits each, of one vector of T. Bytes are summed as pairs:
-// their even lanes form part 0 and their odd lanes part 1, in order; 16-bit costs have one part.
+// Adds to `sum` what the costs of two paths exceed their least by. Bytes are summed in steps of
+// two: two paths by their mean, rounded up, and what does not fit stays the largest number.
+template <class T>
+HWY_INLINE Lanes<T> AddExcess(Lanes<T> sum, Lanes<T> one, Lanes<T> other) {
+  if constexpr (sizeof(T) == 1) {
+    return hn::SaturatedAdd(sum, hn::AverageRound(one, other));
+  } else {
+    return hn::Add(sum, hn::Add(one, other));
+  }
+}
+
+// A vector of T as 16-bit numbers: the even lanes of bytes form part 0 and the odd lanes part 1, in
+// order, so that no lane crosses the vector; of 16-bit numbers there is one part.
 template <class T>
 struct SumLayout {
   static constexpr int kParts = sizeof(T) == 1 && HWY_TARGET != HWY_SCALAR ? 2 : 1;
 };
 
-template <class T>
-class PathSum {
- public:
-  static constexpr int kParts = SumLayout<T>::kParts;
-
-  // Not by a constructor: of an array for any number of disparities, few are used.
-  HWY_INLINE void Clear() {
-    pairs_ = hn::Zero(Tag16());
-    odd_ = hn::Zero(Tag16());
+template <class T, int kPart>
+HWY_INLINE Lanes16 PartOf(Lanes<T> v) {
+  const Tag16 d;
+  if constexpr (sizeof(T) == 2) {
+    return v;
+  } else if constexpr (SumLayout<T>::kParts == 1) {
+    return hn::PromoteTo(d, v);
+  } else if constexpr (kPart == 1) {
+    return hn::ShiftRight<8>(hn::BitCast(d, v));
+  } else {
+    return hn::And(hn::BitCast(d, v), hn::Set(d, std::uint16_t{0xFF}));
   }
-
-  HWY_INLINE void Add(Lanes<T> costs) {
-    const Tag16 d;
-    if constexpr (kParts == 2) {
-      const Lanes16 pairs = hn::BitCast(d, costs);
-      pairs_ = hn::Add(pairs_, pairs);
-      odd_ = hn::Add(odd_, hn::ShiftRight<8>(pairs));
-    } else if constexpr (sizeof(T) == 1) {
-      pairs_ = hn::Add(pairs_, hn::PromoteTo(d, costs));
-    } else {
-      pairs_ = hn::Add(pairs_, costs);
-    }
-  }
-
-  template <int kPart>
-  HWY_INLINE Lanes16 Part() const {
-    if constexpr (kPart == 1) return odd_;
-    // The odd lanes count 256 each in the pairs; what exceeds 16 bits is theirs.
-    if constexpr (kParts == 2) return hn::Sub(pairs_, hn::ShiftLeft<8>(odd_));
-    return pairs_;
-  }
-
- private:
-  Lanes16 pairs_;
-  Lanes16 odd_;
-};
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace stereo_sgmp

@@ -59,10 +59,10 @@ HWY_INLINE Lanes<T> LoadCosts(const std::uint8_t* cost) {
   }
 }
 
-// Sends the message of the path costs `l`, whose minimum is `smallest`.
+// Sends the message of path costs whose excess over their least is `l`.
 template <class T, int kVectors>
-HWY_INLINE void Send(const PixelShape<T, kVectors>& shape, const Lanes<T>* l, Lanes<T> smallest,
-                     Lanes<T> p1, T* sent) {
+HWY_INLINE void Send(const PixelShape<T, kVectors>& shape, const Lanes<T>* l, Lanes<T> p1,
+                     T* sent) {
   const Tag<T> d;
   const Lanes<T> unreachable = hn::Set(d, PathSlot<T>::kUnreachable);
   const int last = shape.Count() - 1;
@@ -70,36 +70,51 @@ HWY_INLINE void Send(const PixelShape<T, kVectors>& shape, const Lanes<T>* l, La
     const Lanes<T> above = FromAbove<T>(l[v], v < last ? l[v + 1] : unreachable);
     const Lanes<T> below = FromBelow<T>(v > 0 ? l[v - 1] : unreachable, l[v]);
     const Lanes<T> step = hn::SaturatedAdd(hn::Min(below, above), p1);
-    Lanes<T> message = hn::Sub(hn::Min(l[v], step), smallest);
+    Lanes<T> message = hn::Min(l[v], step);
     if (v == last) message = hn::Or(message, shape.tail);
     hn::Store(message, d, sent + v * kLanes<T>);
   }
 }
 
-// Advances kPaths paths to one pixel. `sums` receives the sum of their costs, vector by vector.
-// Returns the sum of min_d L_r.
+// Advances a path to one pixel. `l` receives what its costs exceed their least by, and beyond the
+// last disparity at least as much. Returns the least, min_d L_r.
+template <class T, int kVectors>
+HWY_INLINE int AdvancePath(const PixelShape<T, kVectors>& shape, const PathStepState<T>& path,
+                           const std::uint8_t* cost, Lanes<T> p1, Lanes<T>* l) {
+  const Tag<T> d;
+  const int last = shape.Count() - 1;
+  const Lanes<T> p2 = hn::Set(d, path.p2);
+  Lanes<T> least = hn::Set(d, PathSlot<T>::kUnreachable);
+  for (int v = 0; v <= last; ++v) {
+    const Lanes<T> received = hn::LoadU(d, path.received + v * kLanes<T>);
+    l[v] = hn::Add(LoadCosts<T>(cost + v * kLanes<T>), hn::Min(received, p2));
+    if (v == last) l[v] = hn::Or(l[v], shape.tail);
+    least = hn::Min(least, l[v]);
+  }
+  const T smallest = SmallestLane(d, least);
+  const Lanes<T> subtrahend = hn::Set(d, smallest);
+  for (int v = 0; v <= last; ++v) l[v] = hn::Sub(l[v], subtrahend);
+  Send<T, kVectors>(shape, l, p1, path.sent);
+  return smallest;
+}
+
+// Advances kPaths paths to one pixel. `sums` receives the sum of what their costs exceed their
+// least by (AddExcess), vector by vector. Returns the sum of min_d L_r.
 template <class T, int kPaths, int kVectors>
 HWY_INLINE int AdvancePaths(const PixelShape<T, kVectors>& shape,
                             const PathStepState<T> (&paths)[kPaths], const std::uint8_t* cost,
-                            T p1_cost, PathSum<T>* sums) {
+                            T p1_cost, Lanes<T>* sums) {
+  static_assert(kPaths % 2 == 0, "paths are summed in pairs");
   const Tag<T> d;
-  const int last = shape.Count() - 1;
   const Lanes<T> p1 = hn::Set(d, p1_cost);
-  Lanes<T> l[PixelShape<T, kVectors>::kMost];
+  for (int v = 0; v < shape.Count(); ++v) sums[v] = hn::Zero(d);
+  Lanes<T> one[PixelShape<T, kVectors>::kMost];
+  Lanes<T> other[PixelShape<T, kVectors>::kMost];
   int minimum_sum = 0;
-  for (int i = 0; i < kPaths; ++i) {
-    const Lanes<T> p2 = hn::Set(d, paths[i].p2);
-    Lanes<T> least = hn::Set(d, PathSlot<T>::kUnreachable);
-    for (int v = 0; v <= last; ++v) {
-      const Lanes<T> received = hn::LoadU(d, paths[i].received + v * kLanes<T>);
-      l[v] = hn::Add(LoadCosts<T>(cost + v * kLanes<T>), hn::Min(received, p2));
-      if (v == last) l[v] = hn::Or(l[v], shape.tail);
-      least = hn::Min(least, l[v]);
-      sums[v].Add(l[v]);
-    }
-    const T smallest = SmallestLane(d, least);
-    minimum_sum += smallest;
-    Send<T, kVectors>(shape, l, hn::Set(d, smallest), p1, paths[i].sent);
+  for (int i = 0; i < kPaths; i += 2) {
+    minimum_sum += AdvancePath<T, kVectors>(shape, paths[i], cost, p1, one);
+    minimum_sum += AdvancePath<T, kVectors>(shape, paths[i + 1], cost, p1, other);
+    for (int v = 0; v < shape.Count(); ++v) sums[v] = AddExcess<T>(sums[v], one[v], other[v]);
   }
   return minimum_sum;
 }

@@ -29,6 +29,12 @@ struct PathSlot {
   static std::size_t Size(int stride) { return static_cast<std::size_t>(stride) + 2 * kPad; }
 };
 
+// Half of S(p, d), the sum over the paths of a sweep, is kept as what the path costs exceed their
+// least by, sum over r of L_r(p, d) - min_d' L_r(p, d'), in steps of kSumStep<T>: so that it fits
+// T.
+template <class T>
+inline constexpr int kSumStep = sizeof(T) == 1 ? 2 : 1;
+
 // The slots of the paths that come from the row above, for a window of pixels of one row: pixel
 // u (in sweep order) has the place u & mask, so that a ring serves as well as a whole row.
 template <class T>

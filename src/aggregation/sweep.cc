@@ -8,8 +8,8 @@
 namespace stereo_sgmp {
 
 template <class T>
-void Sweep<T>::Run(const SweepJob& job, const StateLineBuffer<T>* before, StateLineBuffer<T>* after,
-                   ThreadPool* pool) {
+void Sweep<T>::Run(const SweepJob<T>& job, const StateLineBuffer<T>* before,
+                   StateLineBuffer<T>* after, ThreadPool* pool) {
   job_ = job;
   before_ = before;
   after_ = after;

@@ -18,7 +18,8 @@
 
 namespace stereo_sgmp {
 
-// One sweep over some rows of the volume: its inputs and outputs.
+// One sweep over some rows of the volume: its inputs and outputs. T is the type of messages.
+template <class T>
 struct SweepJob {
   SweepKind kind = SweepKind::kFirst;
   bool backward = false;
@@ -30,8 +31,9 @@ struct SweepJob {
   const Contrast* contrast = nullptr;
   const Penalties* penalties = nullptr;
   const OrientationPrior* prior = nullptr;  // or null
-  // S from the last pixel before the image row `sum_rows_end` back to the first of the strip.
-  std::uint16_t* sum = nullptr;
+  // The first half of S (kSumStep), from the last pixel before the image row `sum_rows_end` back
+  // to the first of the strip.
+  T* sum = nullptr;
   int sum_rows_end = 0;
   std::uint16_t* minimum_sum = nullptr;  // sum over r of min_d L_r, [y][x]
   std::uint8_t* sharpened = nullptr;     // kSharpen: [y][x][stride]
@@ -47,7 +49,7 @@ class Sweep {
  public:
   // `before`: the messages of the row before job.begin, unless that is 0; `after` receives those
   // of the last row. Both may be null where there is nothing before or nobody asks.
-  void Run(const SweepJob& job, const StateLineBuffer<T>* before, StateLineBuffer<T>* after,
+  void Run(const SweepJob<T>& job, const StateLineBuffer<T>* before, StateLineBuffer<T>* after,
            ThreadPool* pool);
   static std::size_t Memory(const VolumeShape& shape, int threads);
 
@@ -102,7 +104,7 @@ class Sweep {
   // Places of matches left of the right image, for negative disparities.
   int RightMargin() const { return shape_.min_disparity < 0 ? -shape_.min_disparity : 0; }
 
-  SweepJob job_;
+  SweepJob<T> job_;
   const StateLineBuffer<T>* before_ = nullptr;
   StateLineBuffer<T>* after_ = nullptr;
   VolumeShape shape_;

@@ -58,8 +58,7 @@ HWY_INLINE void ForEachPixel(const SweepStretch<T>& s, const PixelShape<T, kVect
     const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(u - s.u_begin) * s.x_step;
     PathStepState<T> paths[kPaths];
     for (int path = 0; path < kPaths; ++path) paths[path] = PrepareStep(s, path, u);
-    PathSum<T> sums[PixelShape<T, kVectors>::kMost];
-    for (int v = 0; v < shape.Count(); ++v) sums[v].Clear();
+    Lanes<T> sums[PixelShape<T, kVectors>::kMost];
     const int minimum_sum =
         AdvancePaths<T, kPaths, kVectors>(shape, paths, s.cost + offset * s.stride, s.p1, sums);
     std::swap(s.across->before, s.across->here);
@@ -67,40 +66,27 @@ HWY_INLINE void ForEachPixel(const SweepStretch<T>& s, const PixelShape<T, kVect
   }
 }
 
-// Calls store(part, k, S of the paths) for the vectors of each part.
-template <class T, class Store>
-HWY_INLINE void ForEachPart(const PathSum<T>* sums, int vectors, const Store& store) {
-  for (int v = 0; v < vectors; ++v) {
-    const int k = v * kLanes<std::uint16_t>;
-    store(0, k, sums[v].template Part<0>());
-    if constexpr (PathSum<T>::kParts == 2) store(1, k, sums[v].template Part<1>());
-  }
-}
-
-template <class T>
-HWY_INLINE std::ptrdiff_t PartSize(const SweepStretch<T>& s) {
-  return s.stride / PathSum<T>::kParts;
-}
-
 // S of the pixel `offset` pixels from the first one: it is stored from the last pixel of the image
 // to the first, so that the backward sweep, which has to wait for it, reads on and on.
 template <class T>
-HWY_INLINE std::uint16_t* SumOf(const SweepStretch<T>& s, std::ptrdiff_t offset) {
+HWY_INLINE T* SumOf(const SweepStretch<T>& s, std::ptrdiff_t offset) {
   return s.sum - offset * s.stride;
+}
+
+// Where S of one pixel is completed.
+template <class T>
+HWY_INLINE PixelSum<T> TotalOf(const SweepStretch<T>& s, int vectors) {
+  return {s.total, s.stride / PixelSum<T>::kParts, vectors};
 }
 
 template <class T, int kPaths, int kVectors>
 void First(const SweepStretch<T>& s) {
-  const Tag16 d;
   const PixelShape<T, kVectors> shape(s.disparities);
   ForEachPixel<T, kPaths, kVectors>(
       s, shape,
-      [&](std::ptrdiff_t offset, const PathSum<T>* sums, int minimum_sum) STEREO_SGMP_INLINE_ATTR {
-        std::uint16_t* sum = SumOf(s, offset);
-        ForEachPart(sums, shape.Count(),
-                    [&](int part, int k, Lanes16 half) STEREO_SGMP_INLINE_ATTR {
-                      hn::Stream(half, d, sum + part * PartSize(s) + k);
-                    });
+      [&](std::ptrdiff_t offset, const Lanes<T>* sums, int minimum_sum) STEREO_SGMP_INLINE_ATTR {
+        T* sum = SumOf(s, offset);
+        for (int v = 0; v < shape.Count(); ++v) hn::Stream(sums[v], Tag<T>(), sum + v * kLanes<T>);
         s.minimum_sum[offset] = static_cast<std::uint16_t>(minimum_sum);
       });
 }
@@ -109,26 +95,44 @@ template <class T, int kPaths>
 void States(const SweepStretch<T>& s) {
   const PixelShape<T, kAnyVectors> shape(s.disparities);
   ForEachPixel<T, kPaths, kAnyVectors>(
-      s, shape, [](std::ptrdiff_t, const PathSum<T>*, int) STEREO_SGMP_INLINE_ATTR {});
+      s, shape, [](std::ptrdiff_t, const Lanes<T>*, int) STEREO_SGMP_INLINE_ATTR {});
 }
 
-// Completes S of a pixel in `total`.
+// S of the pixel less what its paths exceed their least by, in steps of kSumStep.
+template <class T>
+HWY_INLINE int BaseOf(const SweepStretch<T>& s, std::ptrdiff_t offset, int minimum_sum) {
+  return (s.minimum_sum[offset] + minimum_sum) / kSumStep<T>;
+}
+
+// One part of a vector of S: both halves and the base.
+template <class T, int kPart>
+HWY_INLINE Lanes16 CompletePart(Lanes<T> first, Lanes<T> last, Lanes16 base) {
+  return hn::Add(base, hn::Add(PartOf<T, kPart>(first), PartOf<T, kPart>(last)));
+}
+
+// Completes S of a pixel in `total`: `sums` and the half that was stored.
 template <class T, int kVectors>
-HWY_INLINE LeastSum CompleteSum(const PixelShape<T, kVectors>& shape, const PathSum<T>* sums,
-                                const std::uint16_t* sum, int disparities,
+HWY_INLINE LeastSum CompleteSum(const PixelShape<T, kVectors>& shape, const Lanes<T>* sums,
+                                const T* stored, int base, int disparities,
                                 const PixelSum<T>& total) {
   const Tag16 d;
-  const int last = (shape.Count() - 1) * kLanes<std::uint16_t>;
+  const Lanes16 bases = hn::Set(d, static_cast<std::uint16_t>(base));
+  const int last = shape.Count() - 1;
   LeastSum least;
-  ForEachPart(sums, shape.Count(), [&](int part, int k, Lanes16 half) STEREO_SGMP_INLINE_ATTR {
-    Lanes16 complete = hn::Add(half, hn::Load(d, sum + part * total.part_size + k));
-    if (k == last) {
+  const auto store = [&](int part, int v, Lanes16 complete) STEREO_SGMP_INLINE_ATTR {
+    const int k = v * kLanes<std::uint16_t>;
+    if (v == last) {
       const int count = (disparities - part + total.kParts - 1) / total.kParts - k;
       complete = hn::Or(complete, hn::LoadU(d, LaneMasks<std::uint16_t>::From(count)));
     }
     hn::Store(complete, d, total.Part(part) + k);
-    least.Offer(complete, IndicesOf<T>(part, k / kLanes<std::uint16_t>));
-  });
+    least.Offer(complete, IndicesOf<T>(part, v));
+  };
+  for (int v = 0; v <= last; ++v) {
+    const Lanes<T> half = hn::Load(Tag<T>(), stored + v * kLanes<T>);
+    store(0, v, CompletePart<T, 0>(half, sums[v], bases));
+    if constexpr (total.kParts == 2) store(1, v, CompletePart<T, 1>(half, sums[v], bases));
+  }
   return least;
 }
 
@@ -140,8 +144,8 @@ HWY_INLINE std::uint16_t InOptionUnits(int sum, int unit) {
 template <class T>
 HWY_INLINE void PrefetchSum(const SweepStretch<T>& s, std::ptrdiff_t offset) {
   constexpr int kAhead = 4;
-  constexpr std::ptrdiff_t kCacheLine = 64 / sizeof(std::uint16_t);
-  const std::uint16_t* ahead = SumOf(s, offset + kAhead * s.x_step);
+  constexpr std::ptrdiff_t kCacheLine = 64 / sizeof(T);
+  const T* ahead = SumOf(s, offset + kAhead * s.x_step);
   for (std::ptrdiff_t k = 0; k < s.stride; k += kCacheLine) hwy::Prefetch(ahead + k);
 }
 
@@ -149,36 +153,39 @@ template <class T, int kPaths, int kVectors>
 void Last(const SweepStretch<T>& s) {
   const PixelShape<T, kVectors> shape(s.disparities);
   const WinnerRow& out = s.winners;
-  const PixelSum<T> total{s.total, PartSize(s), shape.Count()};
+  const int unit = s.unit * kSumStep<T>;
+  const PixelSum<T> total = TotalOf(s, shape.Count());
   ForEachPixel<T, kPaths, kVectors>(
       s, shape,
-      [&](std::ptrdiff_t offset, const PathSum<T>* sums, int minimum_sum) STEREO_SGMP_INLINE_ATTR {
+      [&](std::ptrdiff_t offset, const Lanes<T>* sums, int minimum_sum) STEREO_SGMP_INLINE_ATTR {
         const std::ptrdiff_t x = s.x_first + offset;
         PrefetchSum(s, offset);
-        const LeastSum least = CompleteSum(shape, sums, SumOf(s, offset), s.disparities, total);
+        const int base = BaseOf(s, offset, minimum_sum);
+        const LeastSum least =
+            CompleteSum(shape, sums, SumOf(s, offset), base, s.disparities, total);
         const std::uint16_t best = least.Sum();
         const int winner = least.Index(best);
         OfferToRight(total, s.right, s.right.x_origin - static_cast<int>(x));
         const bool has_below = winner > 0;
         const bool has_above = winner + 1 < s.disparities;
         out.winner[x] = static_cast<std::uint16_t>(winner);
-        out.cost[x] = InOptionUnits(best, s.unit);
-        out.cost_below[x] = has_below ? InOptionUnits(total.At(winner - 1), s.unit) : kNoSum;
-        out.cost_above[x] = has_above ? InOptionUnits(total.At(winner + 1), s.unit) : kNoSum;
-        out.uncertainty[x] = InOptionUnits(best - s.minimum_sum[offset] - minimum_sum, s.unit);
+        out.cost[x] = InOptionUnits(best, unit);
+        out.cost_below[x] = has_below ? InOptionUnits(total.At(winner - 1), unit) : kNoSum;
+        out.cost_above[x] = has_above ? InOptionUnits(total.At(winner + 1), unit) : kNoSum;
+        out.uncertainty[x] = InOptionUnits(best - base, unit);
         const std::uint16_t second = SecondBest(total, winner);
-        out.second[x] = second == kNoSum ? kNoSum : InOptionUnits(second, s.unit);
+        out.second[x] = second == kNoSum ? kNoSum : InOptionUnits(second, unit);
       });
 }
 
-// 0.12 as a fraction of 256, and the largest difference whose product with it fits 16 bits.
-constexpr std::uint16_t kSharpenWeight = 31;
-constexpr std::uint16_t kSharpenLimit = 2114;
-
+// 0.12 (S - min S), with 0.12 as 31 parts of 256.
+template <class T>
 HWY_INLINE Lanes16 Raised(Lanes16 sum, Lanes16 best) {
   const Tag16 d;
-  const Lanes16 above = hn::Min(hn::Sub(sum, best), hn::Set(d, kSharpenLimit));
-  return hn::ShiftRight<8>(hn::Mul(above, hn::Set(d, kSharpenWeight)));
+  constexpr std::uint16_t kWeight = 31 * kSumStep<T>;
+  constexpr std::uint16_t kLimit = kNoSum / kWeight;  // its product fits 16 bits
+  const Lanes16 above = hn::Min(hn::Sub(sum, best), hn::Set(d, kLimit));
+  return hn::ShiftRight<8>(hn::Mul(above, hn::Set(d, kWeight)));
 }
 
 // Costs of one vector for the second round, whose S stands at total.Part(0)[k] and, if there is
@@ -188,10 +195,10 @@ HWY_INLINE void SharpenVector(const PixelSum<T>& total, int k, Lanes16 best, int
                               const std::uint8_t* cost, std::uint8_t* sharpened) {
   const Tag16 d;
   const int place = k * total.kParts;
-  Lanes16 raised = Raised(hn::Load(d, total.Part(0) + k), best);
-  if constexpr (PathSum<T>::kParts == 2) {
+  const Lanes16 raised = Raised<T>(hn::Load(d, total.Part(0) + k), best);
+  if constexpr (total.kParts == 2) {
     const Tag<T> bytes;
-    const Lanes16 odd = Raised(hn::Load(d, total.Part(1) + k), best);
+    const Lanes16 odd = Raised<T>(hn::Load(d, total.Part(1) + k), best);
     const Lanes<T> both = hn::BitCast(bytes, hn::Or(raised, hn::ShiftLeft<8>(odd)));
     const Lanes16 pairs = hn::BitCast(d, hn::Load(bytes, cost + place));
     const Lanes16 halves = hn::And(hn::ShiftRight<1>(pairs), hn::Set(d, std::uint16_t{0x7F7F}));
@@ -211,12 +218,13 @@ template <class T, int kPaths, int kVectors>
 void Sharpen(const SweepStretch<T>& s) {
   const Tag16 d;
   const PixelShape<T, kVectors> shape(s.disparities);
-  const PixelSum<T> total{s.total, PartSize(s), shape.Count()};
+  const PixelSum<T> total = TotalOf(s, shape.Count());
   ForEachPixel<T, kPaths, kVectors>(
-      s, shape, [&](std::ptrdiff_t offset, const PathSum<T>* sums, int) STEREO_SGMP_INLINE_ATTR {
+      s, shape, [&](std::ptrdiff_t offset, const Lanes<T>* sums, int) STEREO_SGMP_INLINE_ATTR {
         const std::ptrdiff_t place = offset * s.stride;
-        const Lanes16 best =
-            hn::Set(d, CompleteSum(shape, sums, SumOf(s, offset), s.disparities, total).Sum());
+        // Only differences of S matter here.
+        const LeastSum least = CompleteSum(shape, sums, SumOf(s, offset), 0, s.disparities, total);
+        const Lanes16 best = hn::Set(d, least.Sum());
         for (int v = 0; v < shape.Count(); ++v) {
           SharpenVector(total, v * kLanes<std::uint16_t>, best, 255 / s.unit, s.cost + place,
                         s.sharpened + place);

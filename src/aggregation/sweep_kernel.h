@@ -63,8 +63,8 @@ struct SweepStretch {
   int x_first = 0;  // image x of u_begin
 
   const std::uint8_t* cost = nullptr;  // C of the pixel u_begin
-  // S of the pixel u_begin, in the kernel's own order; pixels stand in reverse, with -x_step.
-  std::uint16_t* sum = nullptr;
+  // The first half of S of the pixel u_begin (kSumStep); pixels stand in reverse, with -x_step.
+  T* sum = nullptr;
   std::uint16_t* minimum_sum = nullptr;  // sum over r of min_d L_r, of the pixel u_begin
 
   bool has_above = false;  // false on the first row of the image

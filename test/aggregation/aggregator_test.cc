@@ -228,7 +228,7 @@ TEST_F(AggregatorTest, EverySimdTargetGivesTheSameBits) {
 }
 
 TEST_F(AggregatorTest, StripsKeepToTheLimitWhereAnyDo) {
-  const VolumeShape shape{400, 300, 64, 0};
+  const VolumeShape shape{400, 900, 64, 0};
   constexpr int kThreads = 2;
   const auto memory = [&](int rows) {
     return Aggregator::Memory(shape, options_, kBytes, kThreads, rows);

@@ -27,9 +27,13 @@ int V(int d, int other, int p1, int p2) {
   return std::abs(d - other) == 1 ? p1 : p2;
 }
 
+// The paths of one of the two sweeps of the library.
+using Sweep = std::vector<PathStep>;
+
 struct Sums {
-  std::vector<Costs> s;          // S(p, d)
-  std::vector<int> minimum_sum;  // sum over r of min_d L_r(p, d)
+  int step = 1;           // S and the base are in steps of so many units of the costs
+  std::vector<Costs> s;   // S(p, d)
+  std::vector<int> base;  // sum over r of min_d L_r(p, d)
 };
 
 class Aggregation {
@@ -43,19 +47,64 @@ class Aggregation {
         p1_(InUnits(options.p1)),
         slack_(slack < 0 ? -1 : InUnits(slack)) {}
 
-  Sums Sum(const std::vector<PathStep>& steps) const {
-    const auto pixels = static_cast<std::size_t>(volume_.shape.width * volume_.shape.height);
+  Sums Sum(const std::vector<Sweep>& sweeps) const {
+    const std::size_t pixels = PixelCount();
     const auto disparities = static_cast<std::size_t>(volume_.shape.disparities);
-    Sums sums{std::vector<Costs>(pixels, Costs(disparities, 0)), std::vector<int>(pixels, 0)};
-    for (const PathStep step : steps) AddPath(step, &sums);
+    Sums sums;
+    sums.step = FitsBytes() ? 2 : 1;
+    sums.s.assign(pixels, Costs(disparities, 0));
+    sums.base.assign(pixels, 0);
+    for (const Sweep& sweep : sweeps) AddSweep(sweep, &sums);
+    for (std::size_t q = 0; q < pixels; ++q) {
+      sums.base[q] /= sums.step;
+      for (int& s : sums.s[q]) s += sums.base[q];
+    }
     return sums;
   }
 
  private:
-  void AddPath(PathStep step, Sums* sums) const {
+  std::size_t PixelCount() const {
+    return static_cast<std::size_t>(volume_.shape.width * volume_.shape.height);
+  }
+
+  // Whether the largest path cost, C + P2, fits 8 bits.
+  bool FitsBytes() const {
+    const int largest = (255 + volume_.unit / 2) / volume_.unit;
+    return largest + InUnits(options_.p1 * (1.0 + options_.alpha)) <= 255;
+  }
+
+  // What the costs of the paths exceed their least by. In 8 bits: in steps of two, two paths at a
+  // time by their mean, rounded up, and at most the largest number.
+  void AddSweep(const Sweep& sweep, Sums* sums) const {
+    std::vector<std::vector<Costs>> paths;
+    for (const PathStep step : sweep) paths.push_back(ExcessAlong(step, &sums->base));
+    for (std::size_t q = 0; q < PixelCount(); ++q) {
+      for (std::size_t d = 0; d < sums->s[q].size(); ++d) {
+        int sum = 0;
+        for (std::size_t i = 0; i < paths.size(); i += 2) {
+          const int pair = paths[i][q][d] + paths[i + 1][q][d];
+          sum += sums->step == 1 ? pair : (pair + 1) / 2;
+        }
+        sums->s[q][d] += sums->step == 1 ? sum : std::min(sum, 255);
+      }
+    }
+  }
+
+  // L_r(p, d) - min_d' L_r(p, d') of all pixels; adds the latter to `base`.
+  std::vector<Costs> ExcessAlong(PathStep step, std::vector<int>* base) const {
+    std::vector<Costs> path = CostsAlong(step);
+    for (std::size_t q = 0; q < path.size(); ++q) {
+      const int least = *std::min_element(path[q].begin(), path[q].end());
+      for (int& cost : path[q]) cost -= least;
+      (*base)[q] += least;
+    }
+    return path;
+  }
+
+  std::vector<Costs> CostsAlong(PathStep step) const {
     const int width = volume_.shape.width;
     const int height = volume_.shape.height;
-    std::vector<Costs> path(sums->s.size());
+    std::vector<Costs> path(PixelCount());
     for (int v = 0; v < height; ++v) {
       for (int u = 0; u < width; ++u) {
         const int y = step.dy < 0 ? height - 1 - v : v;
@@ -67,10 +116,9 @@ class Aggregation {
         const Costs* predecessor =
             inside ? &path[static_cast<std::size_t>(py * width + px)] : nullptr;
         path[q] = PathCosts(x, y, step, predecessor);
-        for (std::size_t d = 0; d < path[q].size(); ++d) sums->s[q][d] += path[q][d];
-        sums->minimum_sum[q] += *std::min_element(path[q].begin(), path[q].end());
       }
     }
+    return path;
   }
 
   int InUnits(double value) const { return static_cast<int>(std::lround(value / volume_.unit)); }
@@ -126,11 +174,12 @@ class Aggregation {
 Volume Sharpen(const Volume& volume, const Sums& sums) {
   Volume sharpened = volume;
   const auto disparities = static_cast<std::size_t>(volume.shape.disparities);
+  const int weight = 31 * sums.step;
   for (std::size_t pixel = 0; pixel < sums.s.size(); ++pixel) {
     const Costs& s = sums.s[pixel];
     const int best = *std::min_element(s.begin(), s.end());
     for (std::size_t d = 0; d < disparities; ++d) {
-      const int raised = std::min(s[d] - best, 2114) * 31 / 256;
+      const int raised = std::min(s[d] - best, 65535 / weight) * weight / 256;
       const int half = volume.costs[pixel * disparities + d] / 2;
       sharpened.costs[pixel * disparities + d] =
           static_cast<std::uint8_t>(std::min(255 / volume.unit, half + raised));
@@ -146,6 +195,7 @@ std::uint16_t CostOrNone(const Costs& s, int d, int unit) {
 
 void FindWinners(const Volume& volume, const Sums& sums, WinnerMap* map) {
   const VolumeShape& shape = volume.shape;
+  const int unit = volume.unit * sums.step;
   map->Create(shape);
   cv::Mat_<int> right_cost(shape.height, shape.width, std::numeric_limits<int>::max());
   map->right_winner.setTo(WinnerMap::kNone);
@@ -170,12 +220,12 @@ void FindWinners(const Volume& volume, const Sums& sums, WinnerMap* map) {
         }
       }
       map->winner(y, x) = static_cast<std::uint16_t>(winner);
-      map->cost(y, x) = CostOrNone(s, winner, volume.unit);
-      map->cost_below(y, x) = CostOrNone(s, winner - 1, volume.unit);
-      map->cost_above(y, x) = CostOrNone(s, winner + 1, volume.unit);
-      map->second(y, x) = CostOrNone(s, second, volume.unit);
-      map->uncertainty(y, x) = CostOrNone(
-          {s[static_cast<std::size_t>(winner)] - sums.minimum_sum[pixel]}, 0, volume.unit);
+      map->cost(y, x) = CostOrNone(s, winner, unit);
+      map->cost_below(y, x) = CostOrNone(s, winner - 1, unit);
+      map->cost_above(y, x) = CostOrNone(s, winner + 1, unit);
+      map->second(y, x) = CostOrNone(s, second, unit);
+      const int excess = s[static_cast<std::size_t>(winner)] - sums.base[pixel];
+      map->uncertainty(y, x) = CostOrNone({excess}, 0, unit);
     }
   }
 }
@@ -184,9 +234,9 @@ void FindWinners(const Volume& volume, const Sums& sums, WinnerMap* map) {
 
 WinnerMap Aggregate(const Volume& volume, const cv::Mat& guide, const AggregationOptions& options,
                     const JumpFunction& jump, int jump_slack) {
-  const std::vector<PathStep> axes{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-  std::vector<PathStep> all = axes;
-  all.insert(all.end(), {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}});
+  const std::vector<Sweep> axes{{{1, 0}, {0, 1}}, {{-1, 0}, {0, -1}}};
+  const std::vector<Sweep> all{{{1, 0}, {0, 1}, {1, 1}, {-1, 1}},
+                               {{-1, 0}, {0, -1}, {-1, -1}, {1, -1}}};
   WinnerMap map;
   if (options.scheme == PathScheme::kEight) {
     const Aggregation aggregation(volume, guide, options, jump, jump_slack);

@@ -207,6 +207,7 @@ TEST(MatcherTest, BadInputIsNamedBeforeWorkStarts) {
 TEST(MatcherTest, AVolumeThatDoesNotFitIsRefusedBeforeWorkStarts) {
   Options options;
   options.num_disparities = 2048;
+  options.aggregation.path_costs = PathCosts::kFull;
   const cv::Mat image = cv::Mat::zeros(8192, 8192, CV_8UC1);
   EXPECT_GT(EstimateMemory(options, image.size()), std::size_t{8192} * 8192 * 2048 * 2);
   EXPECT_THAT(ErrorOf(options, image, image), HasSubstr("lower num_disparities"));
@@ -222,7 +223,7 @@ TEST(MatcherTest, ALimitOfMemoryChangesNothingButTheMemory) {
     const MatchResult unlimited = MatchOnce(options, scene.left, scene.right);
     constexpr double kMegabyte = 1024.0 * 1024.0;
     const double all = static_cast<double>(EstimateMemory(options, scene.left.size()));
-    options.memory_limit = static_cast<int>(all / kMegabyte) - 8;  // a third of S
+    options.memory_limit = static_cast<int>(all / kMegabyte) - 4;  // a third of S
     const double limited = static_cast<double>(EstimateMemory(options, scene.left.size()));
     EXPECT_LE(limited, options.memory_limit * kMegabyte);
     ExpectSameBits(MatchOnce(options, scene.left, scene.right), unlimited);
