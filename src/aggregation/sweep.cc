@@ -92,6 +92,10 @@ void Sweep<T>::RunGroup(int group, Workspace* workspace) {
       if (row == 0 && group > 0) progress_.WaitFor(group - 1, std::min(width, u_end + 1));
       place.row = row;
       place.v = first + row;
+      if (job_.prior != nullptr && begin % kJumpSpan == 0) {
+        AskPrior(place, u_begin, std::min(width, begin + kJumpSpan - row),
+                 &workspace->jumps[static_cast<std::size_t>(row)]);
+      }
       RunStretch(place, u_begin, u_end, workspace);
       if (place.IsLast()) progress_.Publish(group, u_end);
     }
@@ -131,7 +135,7 @@ StateLine<T> Sweep<T>::Current(const RowPlace& place, const Workspace& workspace
 template <class T>
 void Sweep<T>::RunStretch(const RowPlace& place, int u_begin, int u_end, Workspace* workspace) {
   const int y = ImageRow(place.v);
-  const int x_begin = job_.backward ? shape_.width - u_end : u_begin;
+  const int x_begin = ImageColumn(u_begin, u_end);
   const int x_end = x_begin + u_end - u_begin;
   const std::ptrdiff_t stride = shape_.Stride();
 
@@ -162,23 +166,28 @@ void Sweep<T>::RunStretch(const RowPlace& place, int u_begin, int u_end, Workspa
     const PathStep end = job_.backward ? kForwardSteps[path] : PathStep{0, 0};
     s.contrast[path] = job_.contrast->Row(static_cast<Path>(i), y + end.dy) + s.x_first + end.dx;
   }
-  if (job_.prior != nullptr) FollowPrior(y, x_begin, x_end, &s, workspace);
+  if (job_.prior != nullptr) {
+    const JumpSpan& span = workspace->jumps[static_cast<std::size_t>(place.row)];
+    s.jumps = &span.rows;
+    s.first_jump = s.x_first - span.x_begin;
+    s.jump_slack = job_.penalties->slack;
+    s.moved =
+        workspace->slots.data() + 2 * kRowsPerGroup * PathSlot<T>::Size(static_cast<int>(stride));
+  }
   AddOutputs(y, &workspace->right[static_cast<std::size_t>(place.row)], &s);
   SweepPixels(s);
 }
 
 template <class T>
-void Sweep<T>::FollowPrior(int y, int x_begin, int x_end, SweepStretch<T>* stretch,
-                           Workspace* workspace) const {
+void Sweep<T>::AskPrior(const RowPlace& place, int u_begin, int u_end, JumpSpan* span) const {
+  span->x_begin = ImageColumn(u_begin, u_end);
+  const int x_end = span->x_begin + u_end - u_begin;
   for (int i = 0; i < job_.paths; ++i) {
     const auto path = static_cast<std::size_t>(i);
     const PathStep forward = kForwardSteps[path];
     const PathStep step = job_.backward ? PathStep{-forward.dx, -forward.dy} : forward;
-    job_.prior->Jumps(y, x_begin, x_end, step, &workspace->jumps[path]);
+    job_.prior->Jumps(ImageRow(place.v), span->x_begin, x_end, step, &span->rows[path]);
   }
-  stretch->jumps = &workspace->jumps;
-  stretch->jump_slack = job_.penalties->slack;
-  stretch->moved = workspace->slots.data() + 2 * kRowsPerGroup * PathSlot<T>::Size(shape_.Stride());
 }
 
 template <class T>

@@ -57,11 +57,19 @@ class Sweep {
   static constexpr int kRowsPerGroup = 4;
   static constexpr int kStretch = 16;
   static constexpr int kRing = 32;  // power of two, >= kStretch + 2
+  // Jumps are asked for this many pixels ahead, whole stretches: it pays to ask for many.
+  static constexpr int kJumpSpan = 4 * kStretch;
 
   // Row of the right image that is being filled by one row of the last sweep.
   struct RightRowBuffer {
     std::vector<std::uint16_t> cost;
     std::vector<std::uint16_t> winner;
+  };
+
+  // Jumps of the next pixels of one row, from the image column x_begin on.
+  struct JumpSpan {
+    int x_begin = 0;
+    std::array<JumpRow, kPathsPerSweep> rows;
   };
 
   // What a thread needs for its group.
@@ -71,7 +79,7 @@ class Sweep {
     AlignedBuffer<std::uint16_t> total;
     std::array<AcrossState<T>, kRowsPerGroup> across;
     AlignedBuffer<std::uint8_t> cost;
-    std::array<JumpRow, kPathsPerSweep> jumps;
+    std::array<JumpSpan, kRowsPerGroup> jumps;
     std::array<RightRowBuffer, kRowsPerGroup> right;
   };
 
@@ -93,8 +101,10 @@ class Sweep {
   void RunStretch(const RowPlace& place, int u_begin, int u_end, Workspace* workspace);
   StateLine<T> Above(const RowPlace& place, const Workspace& workspace) const;
   StateLine<T> Current(const RowPlace& place, const Workspace& workspace) const;
-  void FollowPrior(int y, int x_begin, int x_end, SweepStretch<T>* stretch,
-                   Workspace* workspace) const;
+  int ImageColumn(int u_begin, int u_end) const {
+    return job_.backward ? shape_.width - u_end : u_begin;
+  }
+  void AskPrior(const RowPlace& place, int u_begin, int u_end, JumpSpan* span) const;
   void AddOutputs(int y, RightRowBuffer* right, SweepStretch<T>* stretch) const;
   RightRow RightOf(RightRowBuffer* right) const;
   void FinishRow(int y, RightRowBuffer* right) const;

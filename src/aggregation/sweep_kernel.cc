@@ -41,7 +41,7 @@ HWY_INLINE PathStepState<T> PrepareStep(const SweepStretch<T>& s, int path, int 
   step.received = path == kAcross ? s.across->before : s.above.Message(from, path);
   step.p2 = s.p2[s.contrast[axis][static_cast<std::ptrdiff_t>(i) * s.x_step]];
   if (s.jumps != nullptr) {
-    const int entry = s.x_step > 0 ? i : s.u_end - s.u_begin - 1 - i;
+    const int entry = s.first_jump + i * s.x_step;
     step.received = MoveMessage<T>((*s.jumps)[axis], static_cast<std::size_t>(entry),
                                    {step.received, s.disparities, s.jump_slack},
                                    s.moved + axis * s.current.slot);

@@ -75,8 +75,9 @@ struct SweepStretch {
   T p1 = 0;
   const T* p2 = nullptr;                                       // by contrast
   std::array<const std::uint8_t*, kPathsPerSweep> contrast{};  // of the pixel u_begin
-  // The prior, or null; entry i of a row belongs to the i-th pixel of the stretch by image x.
+  // The prior, or null; the entries of the pixels, by image x, and that of the pixel u_begin.
   const std::array<JumpRow, kPathsPerSweep>* jumps = nullptr;
+  int first_jump = 0;
   int jump_slack = -1;
   // Scratch: kPathsPerSweep slots for messages that moved, one slot of zeros for paths that
   // start, room for S of a pixel.

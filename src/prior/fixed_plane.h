@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "prior/plane_jump_kernel.h"
 #include "stereo_sgmp/disparity_plane.h"
 
 namespace stereo_sgmp {
@@ -29,27 +30,24 @@ class FixedPlane {
   }
 
   // S^(x, y) = floor(S(x, y) + 1/2).
-  int RoundedAt(int x, int y) const { return static_cast<int>(Value(x, y) >> kFractionBits); }
+  int RoundedAt(int x, int y) const { return static_cast<int>(FixedAt(x, y) >> kFractionBits); }
 
-  // The jumps S^(x + dx, y + dy) - S^(x, y) for `count` pixels from x on. A step adds the same
-  // amount to S everywhere, so its jump is the whole part of that or, where the fractions carry,
-  // one more. Limited to +-limit.
-  void Jumps(int x, int y, int dx, int dy, int count, int limit, std::int16_t* jumps) const {
+  // S + 1/2 in units of 2^-32, whose whole part is S^; and what it grows by from x to x + 1.
+  std::int64_t FixedAt(int x, int y) const { return a_ * x + b_ * y + c_; }
+  std::int64_t FixedSlope() const { return a_; }
+
+  // The steps by (dx, dy) from pixels of row y, x and those behind it; jumps limited to +-limit.
+  PlaneRun RunFrom(int x, int y, int dx, int dy, int limit) const {
     const std::int64_t step = a_ * dx + b_ * dy;
-    const auto whole = step >> kFractionBits;
-    const auto bounded = [limit](std::int64_t jump) {
-      return static_cast<int>(std::clamp<std::int64_t>(jump, -limit, limit));
-    };
-    const int below = bounded(whole);
-    const int above = bounded(whole + 1) - below;
-    const auto step_fraction = static_cast<std::uint32_t>(step);
-    const auto slope_fraction = static_cast<std::uint32_t>(a_);
-    const auto fraction = static_cast<std::uint32_t>(Value(x, y));
-    for (int i = 0; i < count; ++i) {
-      const std::uint32_t at_p = fraction + slope_fraction * static_cast<std::uint32_t>(i);
-      const std::uint32_t at_q = at_p + step_fraction;
-      jumps[i] = static_cast<std::int16_t>(below + (at_q < at_p ? above : 0));
-    }
+    const std::int64_t whole = step >> kFractionBits;
+    PlaneRun run;
+    run.fraction = static_cast<std::uint32_t>(FixedAt(x, y));
+    run.slope = static_cast<std::uint32_t>(a_);
+    run.step = static_cast<std::uint32_t>(step);
+    run.jump = static_cast<std::int32_t>(std::clamp<std::int64_t>(whole, -limit, limit));
+    run.jump_with_carry =
+        static_cast<std::int32_t>(std::clamp<std::int64_t>(whole + 1, -limit, limit));
+    return run;
   }
 
  private:
@@ -58,7 +56,6 @@ class FixedPlane {
   static std::int64_t ToFixed(double value) {
     return std::llround(std::ldexp(value, kFractionBits));
   }
-  std::int64_t Value(int x, int y) const { return a_ * x + b_ * y + c_; }
 
   std::int64_t a_ = 0;
   std::int64_t b_ = 0;

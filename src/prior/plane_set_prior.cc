@@ -5,6 +5,10 @@
 #include <stdexcept>
 #include <string>
 
+#include <hwy/base.h>
+
+#include "prior/plane_columns.h"
+#include "prior/plane_jump_kernel.h"
 #include "prior/segment_writer.h"
 
 namespace stereo_sgmp {
@@ -81,7 +85,7 @@ void PlaneSetPrior::Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow*
   for (int x = inside_begin; x < inside_end; x = stretch.x_end) {
     const int x_p = x - step.dx;
     stretch.x_begin = x;
-    stretch.x_end = std::min({inside_end, x + kMaxStretch, RunEnd(ids_p, x_p) + step.dx});
+    stretch.x_end = std::min({inside_end, x + kMaxPlaneRun, RunEnd(ids_p, x_p) + step.dx});
     if (policy_ == JumpPolicy::kLiteral) {
       stretch.x_end = std::min(stretch.x_end, RunEnd(ids_q, x));
     }
@@ -114,46 +118,37 @@ void PlaneSetPrior::FillStretch(const Stretch& stretch, JumpRow* row) const {
   const PlaneSet& set = *stretch.at_p;
   if (set.count == 0) return;
   const bool same_plane = policy_ == JumpPolicy::kSameSurface || stretch.at_p == stretch.at_q;
-  if (set.count == 1 && same_plane) {
-    PlaneOf(set, 0).Jumps(stretch.x_begin - stretch.step.dx, stretch.y - stretch.step.dy,
-                          stretch.step.dx, stretch.step.dy, stretch.x_end - stretch.x_begin,
-                          shape_.disparities, row->jump.data() + stretch.entry);
-  } else if (policy_ == JumpPolicy::kSameSurface) {
+  if (policy_ == JumpPolicy::kSameSurface || (set.count == 1 && same_plane)) {
     FollowPlanes(stretch, row);
   } else if (stretch.at_q->count > 0) {
     FollowLabels(stretch, row);
   }
 }
 
-// Several planes at p, each followed to q.
+// The planes at p, each followed to q.
 void PlaneSetPrior::FollowPlanes(const Stretch& stretch, JumpRow* row) const {
   const PlaneSet& set = *stretch.at_p;
   const int count = stretch.x_end - stretch.x_begin;
   const int x_p = stretch.x_begin - stretch.step.dx;
   const int y_p = stretch.y - stretch.step.dy;
-  PlaneJumps jumps;  // NOLINT(cppcoreguidelines-pro-type-member-init): set as far as it is read
-  std::array<std::uint16_t, kMaxStretch> differ;  // NOLINT(cppcoreguidelines-pro-type-member-init)
-  std::fill_n(differ.begin(), count, std::uint16_t{0});
-  std::int16_t* first = row->jump.data() + stretch.entry;
-  PlaneOf(set, 0).Jumps(x_p, y_p, stretch.step.dx, stretch.step.dy, count, shape_.disparities,
-                        first);
-  std::copy_n(first, count, jumps[0].data());
-  for (int k = 1; k < set.count; ++k) {
-    std::int16_t* of_plane = jumps[static_cast<std::size_t>(k)].data();
-    PlaneOf(set, k).Jumps(x_p, y_p, stretch.step.dx, stretch.step.dy, count, shape_.disparities,
-                          of_plane);
-    for (int i = 0; i < count; ++i) {
-      differ[static_cast<std::size_t>(i)] |= static_cast<std::uint16_t>(of_plane[i] ^ first[i]);
-    }
+  // Set as far as they are read; clearing them would take longer than all else here.
+  std::array<PlaneRun, PlaneSet::kMaxPlanes> runs;
+  std::array<std::int16_t, PlaneSet::kMaxPlanes * kMaxPlaneRun> jumps;
+  for (int k = 0; k < set.count; ++k) {
+    runs[static_cast<std::size_t>(k)] =
+        PlaneOf(set, k).RunFrom(x_p, y_p, stretch.step.dx, stretch.step.dy, shape_.disparities);
   }
-  for (int i = 0; i < count; ++i) {
-    const auto pixel = static_cast<std::size_t>(i);
-    if (differ[pixel] == 0) continue;  // the jump of the first is that of all
-    const SurfaceColumn column = ColumnAt(set, x_p + i, y_p);
+  std::uint64_t differ = JumpsOfPlanes(runs.data(), set.count, count, jumps.data());
+  // Where all planes jump alike, that is the jump.
+  std::copy_n(jumps.data(), count, row->jump.data() + stretch.entry);
+  if (differ == 0) return;
+  PlaneColumns columns(planes_, set, x_p, y_p);
+  for (; differ != 0; differ &= differ - 1) {
+    const auto i = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(differ));
+    const SurfaceColumn& column = columns.At(i);
     SegmentWriter writer(stretch.entry + i, shape_.disparities, row);
     for (int cell = 0; cell < column.cells(); ++cell) {
-      const auto surface = static_cast<std::size_t>(column.surface(cell));
-      writer.WriteUpTo(column.CellEnd(cell), jumps[surface][pixel]);
+      writer.WriteUpTo(column.CellEnd(cell), jumps[column.surface(cell) * kMaxPlaneRun + i]);
     }
     writer.Finish();
   }
@@ -162,11 +157,13 @@ void PlaneSetPrior::FollowPlanes(const Stretch& stretch, JumpRow* row) const {
 // Each disparity steps from its nearest surface at p to its nearest surface at q: the cells of
 // both columns cut it.
 void PlaneSetPrior::FollowLabels(const Stretch& stretch, JumpRow* row) const {
-  for (int x = stretch.x_begin; x < stretch.x_end; ++x) {
-    const SurfaceColumn p =
-        ColumnAt(*stretch.at_p, x - stretch.step.dx, stretch.y - stretch.step.dy);
-    const SurfaceColumn q = ColumnAt(*stretch.at_q, x, stretch.y);
-    SegmentWriter writer(stretch.entry + x - stretch.x_begin, shape_.disparities, row);
+  PlaneColumns columns_p(planes_, *stretch.at_p, stretch.x_begin - stretch.step.dx,
+                         stretch.y - stretch.step.dy);
+  PlaneColumns columns_q(planes_, *stretch.at_q, stretch.x_begin, stretch.y);
+  for (int n = 0; n < stretch.x_end - stretch.x_begin; ++n) {
+    const SurfaceColumn& p = columns_p.At(n);
+    const SurfaceColumn& q = columns_q.At(n);
+    SegmentWriter writer(stretch.entry + n, shape_.disparities, row);
     for (int i = 0, j = 0; i < p.cells() && j < q.cells();) {
       const int end_p = p.CellEnd(i);
       const int end_q = q.CellEnd(j);
@@ -177,14 +174,6 @@ void PlaneSetPrior::FollowLabels(const Stretch& stretch, JumpRow* row) const {
     }
     writer.Finish();
   }
-}
-
-SurfaceColumn PlaneSetPrior::ColumnAt(const PlaneSet& set, int x, int y) const {
-  int values[PlaneSet::kMaxPlanes];
-  for (int k = 0; k < set.count; ++k) values[k] = PlaneOf(set, k).RoundedAt(x, y);
-  SurfaceColumn column;
-  column.Assign(values, set.count);
-  return column;
 }
 
 }  // namespace stereo_sgmp

@@ -2,7 +2,6 @@
 #ifndef STEREO_SGMP_PRIOR_PLANE_SET_PRIOR_H_
 #define STEREO_SGMP_PRIOR_PLANE_SET_PRIOR_H_
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -10,7 +9,6 @@
 #include "prior/fixed_plane.h"
 #include "prior/orientation_prior.h"
 #include "prior/plane_sets.h"
-#include "prior/surface_column.h"
 #include "stereo_sgmp/disparity_plane.h"
 #include "stereo_sgmp/options.h"
 
@@ -45,9 +43,6 @@ class PlaneSetPrior : public OrientationPrior {
     const PlaneSet* at_p = nullptr;
     const PlaneSet* at_q = nullptr;
   };
-  // Jumps of each plane of a set, for the pixels of a stretch.
-  static constexpr int kMaxStretch = 64;
-  using PlaneJumps = std::array<std::array<std::int16_t, kMaxStretch>, PlaneSet::kMaxPlanes>;
 
   void MapColumns();
   const std::uint16_t* IdsOfRow(int y) const;
@@ -57,7 +52,6 @@ class PlaneSetPrior : public OrientationPrior {
   void FillStretch(const Stretch& stretch, JumpRow* row) const;
   void FollowPlanes(const Stretch& stretch, JumpRow* row) const;
   void FollowLabels(const Stretch& stretch, JumpRow* row) const;
-  SurfaceColumn ColumnAt(const PlaneSet& set, int x, int y) const;
 
   VolumeShape shape_;
   JumpPolicy policy_ = JumpPolicy::kSameSurface;

@@ -20,22 +20,21 @@ class SurfaceColumn {
   static constexpr int kMaxValue = 1 << 25;
   static constexpr int kNoEnd = std::numeric_limits<int>::max();
 
-  // `values[k]` is S^_k(p), within +-kMaxValue; `count` <= kMaxSurfaces.
-  void Assign(const int* values, int count) {
-    int keys[kMaxSurfaces];
-    for (int k = 0; k < count; ++k) {
-      // A single number to sort by: the value, then the order given.
-      const int key = values[k] * kMaxSurfaces + k;
-      int i = k;
-      for (; i > 0 && keys[i - 1] > key; --i) keys[i] = keys[i - 1];
-      keys[i] = key;
-    }
+  // A single number to sort by: S^_k(p), within +-kMaxValue, then the order k given.
+  static int Key(int value, std::size_t k) { return value * kMaxSurfaces + static_cast<int>(k); }
+  static std::size_t SurfaceOf(int key) {
+    return static_cast<std::size_t>(key & (kMaxSurfaces - 1));
+  }
+
+  // The keys of `count` <= kMaxSurfaces surfaces, rising.
+  void Assign(const int* keys, std::size_t count) {
     cells_ = 0;
-    for (int i = 0; i < count; ++i) {
-      const int value = (keys[i] - (keys[i] & (kMaxSurfaces - 1))) / kMaxSurfaces;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto surface = static_cast<int>(SurfaceOf(keys[i]));
+      const int value = (keys[i] - surface) / kMaxSurfaces;
       if (cells_ > 0 && value == value_[Slot(cells_ - 1)]) continue;
       value_[Slot(cells_)] = value;
-      surface_[Slot(cells_)] = keys[i] & (kMaxSurfaces - 1);
+      surface_[Slot(cells_)] = surface;
       ++cells_;
     }
   }
