@@ -32,46 +32,31 @@ struct Journey {
   int slack;
 };
 
-// What arrives at the disparities [t, t + lanes) of all that moves by one jump: the message of
-// t - jump where that is in [begin, end), kUnreachable elsewhere.
-template <class T>
-HWY_INLINE Lanes<T> ArrivalsOf(const JumpSegment& segment, const Journey<T>& journey, int t) {
-  const Tag<T> d;
-  const int first = std::max(segment.begin + segment.jump, 0) - t;
-  const int end = std::min(segment.end + segment.jump, journey.disparities) - t;
-  if (end <= 0 || first >= kLanes<T>) return hn::Set(d, PathSlot<T>::kUnreachable);
-  Lanes<T> arrived = hn::LoadU(d, journey.message + t - segment.jump);
-  if (first > 0) arrived = hn::Or(arrived, hn::LoadU(d, LaneMasks<T>::Below(first)));
-  if (end < kLanes<T>) arrived = hn::Or(arrived, hn::LoadU(d, LaneMasks<T>::From(end)));
-  return arrived;
-}
-
 // Without a jump the message arrives where it is, for the price of the slack.
 template <class T>
-HWY_INLINE Lanes<T> Stayed(const Journey<T>& journey, int t) {
+HWY_INLINE void Stay(const Journey<T>& journey, T* moved) {
   const Tag<T> d;
-  if (journey.slack < 0) return hn::Set(d, PathSlot<T>::kUnreachable);
-  return hn::SaturatedAdd(hn::Load(d, journey.message + t),
-                          hn::Set(d, static_cast<T>(journey.slack)));
-}
-
-template <class T>
-HWY_INLINE void MoveAll(int jump, const Journey<T>& journey, T* moved) {
-  const JumpSegment all{0, journey.disparities, jump};
+  // A price that nothing can pay where there is no way around the jump.
+  const T price = journey.slack < 0 ? PathSlot<T>::kUnreachable : static_cast<T>(journey.slack);
+  const Lanes<T> slack = hn::Set(d, price);
   for (int t = 0; t < journey.disparities; t += kLanes<T>) {
-    hn::Store(hn::Min(Stayed(journey, t), ArrivalsOf(all, journey, t)), Tag<T>(), moved + t);
+    hn::Store(hn::SaturatedAdd(hn::Load(d, journey.message + t), slack), d, moved + t);
   }
 }
 
+// The message of the disparities of a segment arrives where their jump leads, if that costs less.
 template <class T>
-HWY_INLINE void MoveSegments(const JumpSegment* segments, int count, const Journey<T>& journey,
-                             T* moved) {
-  for (int t = 0; t < journey.disparities; t += kLanes<T>) {
-    Lanes<T> arrived = Stayed(journey, t);
-    for (int i = 0; i < count; ++i) {
-      arrived = hn::Min(arrived, ArrivalsOf(segments[i], journey, t));
-    }
-    hn::Store(arrived, Tag<T>(), moved + t);
+HWY_INLINE void Arrive(const JumpSegment& segment, const Journey<T>& journey, T* moved) {
+  const Tag<T> d;
+  const int first = std::max(segment.begin + segment.jump, 0);
+  const int end = std::min(segment.end + segment.jump, journey.disparities);
+  if (first >= end) return;
+  for (int t = first & -kLanes<T>; t < end; t += kLanes<T>) {
+    const Lanes<T> before = hn::LoadU(d, LaneMasks<T>::Below(std::max(first - t, 0)));
+    const Lanes<T> behind = hn::LoadU(d, LaneMasks<T>::From(std::min(end - t, kLanes<T>)));
+    const Lanes<T> arrived = hn::LoadU(d, journey.message + t - segment.jump);
+    const Lanes<T> there = hn::Load(d, moved + t);
+    hn::Store(hn::Min(there, hn::Or(arrived, hn::Or(before, behind))), d, moved + t);
   }
 }
 
@@ -87,11 +72,13 @@ HWY_INLINE const T* MoveMessage(const JumpRow& row, std::size_t entry, const Jou
     return journey.message - jump;
   }
   T* moved = scratch + PathSlot<T>::kPad;
+  Stay(journey, moved);
   if (varies) {
-    MoveSegments(row.segments.data() + row.first_segment[entry], row.segment_count[entry], journey,
-                 moved);
+    const JumpSegment* segment = row.segments.data() + row.first_segment[entry];
+    const JumpSegment* end = segment + row.segment_count[entry];
+    for (; segment != end; ++segment) Arrive(*segment, journey, moved);
   } else {
-    MoveAll(jump, journey, moved);
+    Arrive({0, journey.disparities, jump}, journey, moved);
   }
   return moved;
 }
