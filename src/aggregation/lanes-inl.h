@@ -26,26 +26,68 @@ using Lanes16 = Lanes<std::uint16_t>;
 template <class T>
 inline constexpr int kLanes = static_cast<int>(hn::MaxLanes(Tag<T>()));
 
-// Smallest lane. Halves down to 128 bits first, where x86 and Arm have an instruction for 16 bits.
+#if HWY_TARGET != HWY_SCALAR
+
+// Smallest of 128 bits, in the lowest lane; the others are unspecified.
+template <class D>
+HWY_INLINE hn::Vec<D> SmallestOfBlock(D d, hn::Vec<D> v) {
+  if constexpr (sizeof(hn::TFromD<D>) == 1) {
+    // The smaller byte of each pair, as a 16-bit number.
+    const hn::Repartition<std::uint16_t, D> d16;
+    const auto upper = hn::BitCast(d, hn::ShiftRight<8>(hn::BitCast(d16, v)));
+    return hn::BitCast(d, SmallestOfBlock(d16, hn::BitCast(d16, hn::Min(v, upper))));
+  } else {
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_SSE4
+    return hn::Vec<D>{_mm_minpos_epu16(v.raw)};
+#else
+    return hn::MinOfLanes(d, v);
+#endif
+  }
+}
+
+// Smallest lane, in the lowest one. Halves down to 128 bits first.
+template <class D>
+HWY_INLINE auto SmallestInFirst(D d, hn::Vec<D> v) {
+  if constexpr (hn::MaxLanes(D()) * sizeof(hn::TFromD<D>) > 16) {
+    const hn::Half<D> half;
+    return SmallestInFirst(half, hn::Min(hn::LowerHalf(half, v), hn::UpperHalf(half, v)));
+  } else {
+    return SmallestOfBlock(d, v);
+  }
+}
+
+#endif  // HWY_TARGET != HWY_SCALAR
+
 template <class D>
 HWY_INLINE hn::TFromD<D> SmallestLane(D d, hn::Vec<D> v) {
 #if HWY_TARGET == HWY_SCALAR
   (void)d;
   return hn::GetLane(v);
 #else
-  using T = hn::TFromD<D>;
-  if constexpr (hn::MaxLanes(D()) * sizeof(T) > 16) {
-    const hn::Half<D> half;
-    return SmallestLane(half, hn::Min(hn::LowerHalf(half, v), hn::UpperHalf(half, v)));
-  } else if constexpr (sizeof(T) == 1) {
-    // The smaller byte of each pair, as a 16-bit number.
-    const hn::Repartition<std::uint16_t, D> d16;
-    const auto upper = hn::BitCast(d, hn::ShiftRight<8>(hn::BitCast(d16, v)));
-    const auto smaller = hn::BitCast(d16, hn::Min(v, upper));
-    return static_cast<T>(hn::GetLane(hn::MinOfLanes(d16, smaller)));
-  } else {
-    return hn::GetLane(hn::MinOfLanes(d, v));
-  }
+  return hn::GetLane(SmallestInFirst(d, v));
+#endif
+}
+
+// Smallest lane, in all lanes. What a vector has in a vector, it keeps there: the next pixel waits.
+template <class D>
+HWY_INLINE hn::Vec<D> SmallestOfLanes(D d, hn::Vec<D> v) {
+#if HWY_TARGET == HWY_SCALAR
+  (void)d;
+  return v;
+#elif HWY_TARGET <= HWY_AVX3
+  const auto first = SmallestInFirst(d, v);
+  if constexpr (sizeof(hn::TFromD<D>) == 1)
+    return hn::Vec<D>{_mm512_broadcastb_epi8(first.raw)};
+  else
+    return hn::Vec<D>{_mm512_broadcastw_epi16(first.raw)};
+#elif HWY_TARGET == HWY_AVX2
+  const auto first = SmallestInFirst(d, v);
+  if constexpr (sizeof(hn::TFromD<D>) == 1)
+    return hn::Vec<D>{_mm256_broadcastb_epi8(first.raw)};
+  else
+    return hn::Vec<D>{_mm256_broadcastw_epi16(first.raw)};
+#else
+  return hn::Set(d, hn::GetLane(SmallestInFirst(d, v)));
 #endif
 }
 

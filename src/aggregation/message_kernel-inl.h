@@ -40,12 +40,13 @@ struct PixelShape {
   int Count() const { return kVectors != kAnyVectors ? kVectors : vectors; }
 };
 
-// One path at one pixel: the message it receives, and where the one it sends goes.
+// One path at one pixel: the message it receives, the penalty of a large step from there, and where
+// the message it sends goes.
 template <class T>
 struct PathStepState {
   const T* received;
+  const T* p2;
   T* sent;
-  T p2;
 };
 
 template <class T>
@@ -83,7 +84,7 @@ HWY_INLINE int AdvancePath(const PixelShape<T, kVectors>& shape, const PathStepS
                            const std::uint8_t* cost, Lanes<T> p1, Lanes<T>* l) {
   const Tag<T> d;
   const int last = shape.Count() - 1;
-  const Lanes<T> p2 = hn::Set(d, path.p2);
+  const Lanes<T> p2 = hn::Set(d, *path.p2);
   Lanes<T> least = hn::Set(d, PathSlot<T>::kUnreachable);
   for (int v = 0; v <= last; ++v) {
     const Lanes<T> received = hn::LoadU(d, path.received + v * kLanes<T>);
@@ -91,11 +92,10 @@ HWY_INLINE int AdvancePath(const PixelShape<T, kVectors>& shape, const PathStepS
     if (v == last) l[v] = hn::Or(l[v], shape.tail);
     least = hn::Min(least, l[v]);
   }
-  const T smallest = SmallestLane(d, least);
-  const Lanes<T> subtrahend = hn::Set(d, smallest);
-  for (int v = 0; v <= last; ++v) l[v] = hn::Sub(l[v], subtrahend);
+  const Lanes<T> smallest = SmallestOfLanes(d, least);
+  for (int v = 0; v <= last; ++v) l[v] = hn::Sub(l[v], smallest);
   Send<T, kVectors>(shape, l, p1, path.sent);
-  return smallest;
+  return hn::GetLane(smallest);
 }
 
 // Advances kPaths paths to one pixel. `sums` receives the sum of what their costs exceed their

@@ -45,11 +45,13 @@ struct StateLine {
 
   static constexpr int kPaths = kPathsPerSweep - 1;  // all but kAcross
 
-  T* Message(int u, int path) const {
-    const std::size_t index = static_cast<std::size_t>(static_cast<unsigned>(u) & mask) * kPaths +
-                              static_cast<std::size_t>(path - 1);
-    return slots + index * slot + PathSlot<T>::kPad;
+  // The message of the first of its paths.
+  T* Pixel(int u) const {
+    return slots + static_cast<std::size_t>(static_cast<unsigned>(u) & mask) * (kPaths * slot) +
+           PathSlot<T>::kPad;
   }
+
+  T* Message(int u, int path) const { return Pixel(u) + static_cast<std::size_t>(path - 1) * slot; }
 };
 
 // Memory of a StateLine for `places` pixels: a ring, of a power of two, or a whole row.

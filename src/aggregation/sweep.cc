@@ -169,6 +169,7 @@ void Sweep<T>::RunStretch(const RowPlace& place, int u_begin, int u_end, Workspa
   if (job_.prior != nullptr) {
     const JumpSpan& span = workspace->jumps[static_cast<std::size_t>(place.row)];
     s.jumps = &span.rows;
+    s.moves = span.moves.data();
     s.first_jump = s.x_first - span.x_begin;
     s.jump_slack = job_.penalties->slack;
     s.moved =
@@ -182,11 +183,17 @@ template <class T>
 void Sweep<T>::AskPrior(const RowPlace& place, int u_begin, int u_end, JumpSpan* span) const {
   span->x_begin = ImageColumn(u_begin, u_end);
   const int x_end = span->x_begin + u_end - u_begin;
+  span->moves.fill(0);
   for (int i = 0; i < job_.paths; ++i) {
     const auto path = static_cast<std::size_t>(i);
     const PathStep forward = kForwardSteps[path];
     const PathStep step = job_.backward ? PathStep{-forward.dx, -forward.dy} : forward;
-    job_.prior->Jumps(ImageRow(place.v), span->x_begin, x_end, step, &span->rows[path]);
+    JumpRow& row = span->rows[path];
+    job_.prior->Jumps(ImageRow(place.v), span->x_begin, x_end, step, &row);
+    for (std::size_t entry = 0; entry < row.jump.size(); ++entry) {
+      const int moves = row.jump[entry] != 0 ? 1 << i : 0;
+      span->moves[entry] = static_cast<std::uint8_t>(span->moves[entry] | moves);
+    }
   }
 }
 

@@ -70,6 +70,7 @@ class Sweep {
   struct JumpSpan {
     int x_begin = 0;
     std::array<JumpRow, kPathsPerSweep> rows;
+    std::array<std::uint8_t, kJumpSpan> moves{};  // SweepStretch::moves
   };
 
   // What a thread needs for its group.

@@ -6,11 +6,9 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include <utility>
-
-#include "aggregation/jump_kernel-inl.h"
 #include "aggregation/lanes-inl.h"
 #include "aggregation/message_kernel-inl.h"
+#include "aggregation/step_kernel-inl.h"
 #include "aggregation/winner_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,47 +21,23 @@ namespace hn = hwy::HWY_NAMESPACE;
 #define STEREO_SGMP_INLINE_ATTR HWY_ATTR __attribute__((always_inline))
 #endif
 
-// The message that `path` receives at pixel u, the i-th of the stretch, and where its own goes.
-template <class T>
-HWY_INLINE PathStepState<T> PrepareStep(const SweepStretch<T>& s, int path, int u) {
-  // Pixels of the row above by path: straight on, from behind, from ahead.
-  constexpr int kFrom[kPathsPerSweep] = {0, 0, -1, 1};
-  const int from = u + kFrom[path];
-  PathStepState<T> step;
-  step.sent = path == kAcross ? s.across->here : s.current.Message(u, path);
-  if (path == kAcross ? u == 0 : !s.has_above || from < 0 || from >= s.width) {
-    step.received = s.start;
-    step.p2 = 0;
-    return step;
-  }
-  const int i = u - s.u_begin;
-  const auto axis = static_cast<std::size_t>(path);
-  step.received = path == kAcross ? s.across->before : s.above.Message(from, path);
-  step.p2 = s.p2[s.contrast[axis][static_cast<std::ptrdiff_t>(i) * s.x_step]];
-  if (s.jumps != nullptr) {
-    const int entry = s.first_jump + i * s.x_step;
-    step.received = MoveMessage<T>((*s.jumps)[axis], static_cast<std::size_t>(entry),
-                                   {step.received, s.disparities, s.jump_slack},
-                                   s.moved + axis * s.current.slot);
-  }
-  return step;
-}
-
 // Moves along a stretch; calls `finish(offset, sums, minimum_sum)` for each pixel, which stands
 // `offset` pixels from the first one.
 template <class T, int kPaths, int kVectors, class Finish>
 HWY_INLINE void ForEachPixel(const SweepStretch<T>& s, const PixelShape<T, kVectors>& shape,
                              const Finish& finish) {
+  StepCursor<T, kPaths> cursor(s);
   for (int u = s.u_begin; u < s.u_end; ++u) {
     const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(u - s.u_begin) * s.x_step;
     PathStepState<T> paths[kPaths];
-    for (int path = 0; path < kPaths; ++path) paths[path] = PrepareStep(s, path, u);
+    cursor.Prepare(u, offset, paths);
     Lanes<T> sums[PixelShape<T, kVectors>::kMost];
     const int minimum_sum =
         AdvancePaths<T, kPaths, kVectors>(shape, paths, s.cost + offset * s.stride, s.p1, sums);
-    std::swap(s.across->before, s.across->here);
+    cursor.Advance();
     finish(offset, sums, minimum_sum);
   }
+  cursor.Finish();
 }
 
 // S of the pixel `offset` pixels from the first one: it is stored from the last pixel of the image

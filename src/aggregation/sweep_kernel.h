@@ -75,7 +75,9 @@ struct SweepStretch {
   T p1 = 0;
   const T* p2 = nullptr;                                       // by contrast
   std::array<const std::uint8_t*, kPathsPerSweep> contrast{};  // of the pixel u_begin
-  // The prior, or null; the entries of the pixels, by image x, and that of the pixel u_begin.
+  // The prior, or null; entries by image x, first that of the pixel u_begin. In `moves`, which
+  // paths have a jump there, bit by bit.
+  const std::uint8_t* moves = nullptr;
   const std::array<JumpRow, kPathsPerSweep>* jumps = nullptr;
   int first_jump = 0;
   int jump_slack = -1;
