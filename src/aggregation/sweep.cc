@@ -25,7 +25,7 @@ std::size_t Sweep<T>::Memory(const VolumeShape& shape, int threads) {
   const std::size_t workspace =
       (kRowsPerGroup - 1) * StateLineBuffer<T>::Bytes(kRing, stride) +
       kSlots * PathSlot<T>::Size(stride) * sizeof(T) +
-      static_cast<std::size_t>(kStretch + 2) * static_cast<std::size_t>(stride) +
+      3 * static_cast<std::size_t>(kStretch) * static_cast<std::size_t>(stride) +
       kRowsPerGroup * 4 * static_cast<std::size_t>(shape.width + stride);
   return 2 * StateLineBuffer<T>::Bytes(shape.width, stride) +
          static_cast<std::size_t>(threads) * workspace;
@@ -57,8 +57,7 @@ void Sweep<T>::PrepareWorkspace(Workspace* workspace) const {
   workspace->slots.Resize((2 * kRowsPerGroup + kPathsPerSweep) * PathSlot<T>::Size(stride));
   std::fill_n(workspace->slots.data(), workspace->slots.size(), PathSlot<T>::kUnreachable);
   workspace->cost.Resize(kStretch * padded);
-  workspace->total.Resize(padded);
-  std::fill_n(workspace->total.data(), padded, WinnerMap::kNone);
+  workspace->total.Resize(kStretch * padded);
   for (RightRowBuffer& right : workspace->right) {
     const auto size = static_cast<std::size_t>(shape_.width + std::abs(shape_.min_disparity) +
                                                2 * (stride + PathSlot<T>::kPad));

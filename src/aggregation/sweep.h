@@ -55,7 +55,7 @@ class Sweep {
 
  private:
   static constexpr int kRowsPerGroup = 4;
-  static constexpr int kStretch = 16;
+  static constexpr int kStretch = SweepStretch<T>::kMaxPixels;
   static constexpr int kRing = 32;  // power of two, >= kStretch + 2
   // Jumps are asked for this many pixels ahead, whole stretches: it pays to ask for many.
   static constexpr int kJumpSpan = 4 * kStretch;

@@ -47,10 +47,10 @@ HWY_INLINE T* SumOf(const SweepStretch<T>& s, std::ptrdiff_t offset) {
   return s.sum - offset * s.stride;
 }
 
-// Where S of one pixel is completed.
+// Where S of the i-th pixel is completed.
 template <class T>
-HWY_INLINE PixelSum<T> TotalOf(const SweepStretch<T>& s, int vectors) {
-  return {s.total, s.stride / PixelSum<T>::kParts, vectors};
+HWY_INLINE PixelSum<T> TotalOf(const SweepStretch<T>& s, int i, int vectors) {
+  return {s.total + i * s.stride, s.stride / PixelSum<T>::kParts, vectors};
 }
 
 template <class T, int kPaths, int kVectors>
@@ -86,13 +86,11 @@ HWY_INLINE Lanes16 CompletePart(Lanes<T> first, Lanes<T> last, Lanes16 base) {
 
 // Completes S of a pixel in `total`: `sums` and the half that was stored.
 template <class T, int kVectors>
-HWY_INLINE LeastSum CompleteSum(const PixelShape<T, kVectors>& shape, const Lanes<T>* sums,
-                                const T* stored, int base, int disparities,
-                                const PixelSum<T>& total) {
+HWY_INLINE void CompleteSum(const PixelShape<T, kVectors>& shape, const Lanes<T>* sums,
+                            const T* stored, int base, int disparities, const PixelSum<T>& total) {
   const Tag16 d;
   const Lanes16 bases = hn::Set(d, static_cast<std::uint16_t>(base));
   const int last = shape.Count() - 1;
-  LeastSum least;
   const auto store = [&](int part, int v, Lanes16 complete) STEREO_SGMP_INLINE_ATTR {
     const int k = v * kLanes<std::uint16_t>;
     if (v == last) {
@@ -100,14 +98,12 @@ HWY_INLINE LeastSum CompleteSum(const PixelShape<T, kVectors>& shape, const Lane
       complete = hn::Or(complete, hn::LoadU(d, LaneMasks<std::uint16_t>::From(count)));
     }
     hn::Store(complete, d, total.Part(part) + k);
-    least.Offer(complete, IndicesOf<T>(part, v));
   };
   for (int v = 0; v <= last; ++v) {
     const Lanes<T> half = hn::Load(Tag<T>(), stored + v * kLanes<T>);
     store(0, v, CompletePart<T, 0>(half, sums[v], bases));
     if constexpr (total.kParts == 2) store(1, v, CompletePart<T, 1>(half, sums[v], bases));
   }
-  return least;
 }
 
 HWY_INLINE std::uint16_t InOptionUnits(int sum, int unit) {
@@ -123,33 +119,44 @@ HWY_INLINE void PrefetchSum(const SweepStretch<T>& s, std::ptrdiff_t offset) {
   for (std::ptrdiff_t k = 0; k < s.stride; k += kCacheLine) hwy::Prefetch(ahead + k);
 }
 
+// Reads off the complete S of the pixel at image column x.
+template <class T>
+HWY_INLINE void ReadPixel(const SweepStretch<T>& s, const PixelSum<T>& total, std::ptrdiff_t x,
+                          int base) {
+  const WinnerRow& out = s.winners;
+  const int unit = s.unit * kSumStep<T>;
+  const LeastSum least = OfferSum(total, s.right, s.right.x_origin - static_cast<int>(x));
+  const std::uint16_t best = least.Sum();
+  const int winner = least.Index(best);
+  const bool has_below = winner > 0;
+  const bool has_above = winner + 1 < s.disparities;
+  out.winner[x] = static_cast<std::uint16_t>(winner);
+  out.cost[x] = InOptionUnits(best, unit);
+  out.cost_below[x] = has_below ? InOptionUnits(total.At(winner - 1), unit) : kNoSum;
+  out.cost_above[x] = has_above ? InOptionUnits(total.At(winner + 1), unit) : kNoSum;
+  out.uncertainty[x] = InOptionUnits(best - base, unit);
+  const std::uint16_t second = SecondBest(total, winner);
+  out.second[x] = second == kNoSum ? kNoSum : InOptionUnits(second, unit);
+}
+
+// First completes S of all pixels: those steps wait for each other, the reading does not.
 template <class T, int kPaths, int kVectors>
 void Last(const SweepStretch<T>& s) {
   const PixelShape<T, kVectors> shape(s.disparities);
-  const WinnerRow& out = s.winners;
-  const int unit = s.unit * kSumStep<T>;
-  const PixelSum<T> total = TotalOf(s, shape.Count());
+  int bases[SweepStretch<T>::kMaxPixels];
+  int completed = 0;
   ForEachPixel<T, kPaths, kVectors>(
       s, shape,
       [&](std::ptrdiff_t offset, const Lanes<T>* sums, int minimum_sum) STEREO_SGMP_INLINE_ATTR {
-        const std::ptrdiff_t x = s.x_first + offset;
         PrefetchSum(s, offset);
         const int base = BaseOf(s, offset, minimum_sum);
-        const LeastSum least =
-            CompleteSum(shape, sums, SumOf(s, offset), base, s.disparities, total);
-        const std::uint16_t best = least.Sum();
-        const int winner = least.Index(best);
-        OfferToRight(total, s.right, s.right.x_origin - static_cast<int>(x));
-        const bool has_below = winner > 0;
-        const bool has_above = winner + 1 < s.disparities;
-        out.winner[x] = static_cast<std::uint16_t>(winner);
-        out.cost[x] = InOptionUnits(best, unit);
-        out.cost_below[x] = has_below ? InOptionUnits(total.At(winner - 1), unit) : kNoSum;
-        out.cost_above[x] = has_above ? InOptionUnits(total.At(winner + 1), unit) : kNoSum;
-        out.uncertainty[x] = InOptionUnits(best - base, unit);
-        const std::uint16_t second = SecondBest(total, winner);
-        out.second[x] = second == kNoSum ? kNoSum : InOptionUnits(second, unit);
+        CompleteSum(shape, sums, SumOf(s, offset), base, s.disparities,
+                    TotalOf(s, completed, shape.Count()));
+        bases[completed++] = base;
       });
+  for (int i = 0; i < completed; ++i) {
+    ReadPixel(s, TotalOf(s, i, shape.Count()), s.x_first + i * s.x_step, bases[i]);
+  }
 }
 
 // 0.12 (S - min S), with 0.12 as 31 parts of 256.
@@ -192,13 +199,13 @@ template <class T, int kPaths, int kVectors>
 void Sharpen(const SweepStretch<T>& s) {
   const Tag16 d;
   const PixelShape<T, kVectors> shape(s.disparities);
-  const PixelSum<T> total = TotalOf(s, shape.Count());
+  const PixelSum<T> total = TotalOf(s, 0, shape.Count());
   ForEachPixel<T, kPaths, kVectors>(
       s, shape, [&](std::ptrdiff_t offset, const Lanes<T>* sums, int) STEREO_SGMP_INLINE_ATTR {
         const std::ptrdiff_t place = offset * s.stride;
         // Only differences of S matter here.
-        const LeastSum least = CompleteSum(shape, sums, SumOf(s, offset), 0, s.disparities, total);
-        const Lanes16 best = hn::Set(d, least.Sum());
+        CompleteSum(shape, sums, SumOf(s, offset), 0, s.disparities, total);
+        const Lanes16 best = hn::Set(d, LeastOf(total));
         for (int v = 0; v < shape.Count(); ++v) {
           SharpenVector(total, v * kLanes<std::uint16_t>, best, 255 / s.unit, s.cost + place,
                         s.sharpened + place);

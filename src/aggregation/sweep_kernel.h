@@ -43,7 +43,10 @@ struct RightRow {
   int x_origin = 0;
 
   std::ptrdiff_t Offset(int position, int parts) const {
-    return position % parts * part_size + position / parts;
+    const auto place = static_cast<unsigned>(position);
+    const auto count = static_cast<unsigned>(parts);
+    return static_cast<std::ptrdiff_t>(place % count) * part_size +
+           static_cast<std::ptrdiff_t>(place / count);
   }
 };
 
@@ -52,6 +55,8 @@ struct RightRow {
 // messages, see PathSlot.
 template <class T>
 struct SweepStretch {
+  static constexpr int kMaxPixels = 16;
+
   SweepKind kind = SweepKind::kFirst;
   int paths = kPathsPerSweep;  // 4, or 2 for the axis directions only
   int u_begin = 0;
@@ -82,7 +87,7 @@ struct SweepStretch {
   int first_jump = 0;
   int jump_slack = -1;
   // Scratch: kPathsPerSweep slots for messages that moved, one slot of zeros for paths that
-  // start, room for S of a pixel.
+  // start, room for S of kMaxPixels pixels.
   T* moved = nullptr;
   const T* start = nullptr;
   std::uint16_t* total = nullptr;

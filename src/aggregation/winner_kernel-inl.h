@@ -33,7 +33,10 @@ struct PixelSum {
   int vectors;  // of each part
 
   HWY_INLINE std::uint16_t* Part(int part) const { return first + part * part_size; }
-  HWY_INLINE std::uint16_t& At(int k) const { return Part(k % kParts)[k / kParts]; }
+  HWY_INLINE std::uint16_t& At(int k) const {
+    const auto index = static_cast<unsigned>(k);
+    return Part(static_cast<int>(index % kParts))[index / kParts];
+  }
 };
 
 // The disparity indices of the lanes of vector v of each part of S.
@@ -72,27 +75,45 @@ class LeastSum {
   Lanes16 index_;
 };
 
-// Offers S of a left pixel to the right pixels that it can match, at `position` and behind.
-// Sweeping x downwards meets the disparities of a right pixel from large to small, so that ties
-// go to the smallest. Lanes without a disparity offer kNoSum, which means that there is no offer.
+// The winner of a left pixel; offers S to the right pixels that it can match, at `position` and
+// behind. Sweeping x downwards meets the disparities of a right pixel from large to small, so that
+// ties go to the smallest. Lanes without a disparity offer kNoSum, which means that there is no
+// offer.
 template <class T>
-HWY_INLINE void OfferToRight(const PixelSum<T>& s, const RightRow& right, int position) {
+HWY_INLINE LeastSum OfferSum(const PixelSum<T>& s, const RightRow& right, int position) {
   const Tag16 d;
-  constexpr int kStep = kLanes<std::uint16_t>;
-  for (int part = 0; part < s.kParts; ++part) {
-    const std::ptrdiff_t offset = right.Offset(position + part, s.kParts);
-    std::uint16_t* best = right.cost + offset;
-    std::uint16_t* winner = right.winner + offset;
-    for (int v = 0; v < s.vectors; ++v) {
-      const int k = v * kStep;
-      const Lanes16 cost = hn::Load(d, s.Part(part) + k);
-      const Lanes16 least = hn::Min(cost, hn::LoadU(d, best + k));
-      const Lanes16 kept = hn::LoadU(d, winner + k);
-      hn::StoreU(least, d, best + k);
+  LeastSum of_left;
+  std::ptrdiff_t offsets[PixelSum<T>::kParts];
+  for (int part = 0; part < s.kParts; ++part)
+    offsets[part] = right.Offset(position + part, s.kParts);
+  for (int v = 0; v < s.vectors; ++v) {
+    for (int part = 0; part < s.kParts; ++part) {
+      const int k = v * kLanes<std::uint16_t>;
+      std::uint16_t* best = right.cost + offsets[part] + k;
+      std::uint16_t* winner = right.winner + offsets[part] + k;
+      const Lanes16 sum = hn::Load(d, s.Part(part) + k);
       const Lanes16 index = IndicesOf<T>(part, v);
-      hn::StoreU(hn::IfThenElse(hn::Eq(least, cost), index, kept), d, winner + k);
+      of_left.Offer(sum, index);
+      const Lanes16 least = hn::Min(sum, hn::LoadU(d, best));
+      const Lanes16 kept = hn::LoadU(d, winner);
+      hn::StoreU(least, d, best);
+      hn::StoreU(hn::IfThenElse(hn::Eq(least, sum), index, kept), d, winner);
     }
   }
+  return of_left;
+}
+
+// min_d S.
+template <class T>
+HWY_INLINE std::uint16_t LeastOf(const PixelSum<T>& s) {
+  const Tag16 d;
+  Lanes16 least = hn::Set(d, kNoSum);
+  for (int part = 0; part < s.kParts; ++part) {
+    for (int v = 0; v < s.vectors; ++v) {
+      least = hn::Min(least, hn::Load(d, s.Part(part) + v * kLanes<std::uint16_t>));
+    }
+  }
+  return SmallestLane(d, least);
 }
 
 // Smallest entry further than one from `winner`; kNoSum if there is none.
