@@ -9,6 +9,13 @@
 namespace stereo_sgmp {
 namespace {
 
+// What the calling thread works on: a part of a task of a pool, or nothing.
+struct Part {
+  CoreSpread* spread = nullptr;
+  int index = 0;
+};
+thread_local Part current_part;
+
 // The cores that this process may run on; empty where the system does not say.
 std::vector<int> UsableCores() {
   std::vector<int> cores;
@@ -37,7 +44,7 @@ int ThreadPool::Count(int threads) {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-ThreadPool::ThreadPool(int threads, bool pinned) {
+ThreadPool::ThreadPool(int threads, bool pinned) : spread_(Count(threads)) {
   const int count = Count(threads);
   const std::vector<int> cores = pinned ? UsableCores() : std::vector<int>();
   for (int i = 1; i < count; ++i) {
@@ -56,6 +63,7 @@ ThreadPool::~ThreadPool() {
 }
 
 void ThreadPool::Run(const std::function<void(int)>& task) {
+  spread_.Note(0);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     task_ = &task;
@@ -99,13 +107,20 @@ void ThreadPool::Work(int index) {
   }
 }
 
+void ThreadPool::MoveApart() {
+  if (current_part.spread != nullptr) current_part.spread->MoveApart(current_part.index);
+}
+
 void ThreadPool::Execute(int index) {
+  current_part = {&spread_, index};
+  MoveApart();
   try {
     (*task_)(index);
   } catch (...) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!error_) error_ = std::current_exception();
   }
+  current_part = Part();
 }
 
 }  // namespace stereo_sgmp
