@@ -79,13 +79,41 @@ std::vector<sensor_msgs::PointField> CloudFields(std::size_t rgb_offset) {
           FloatField("confidence", offsetof(Point, confidence))};
 }
 
-void Pack(const PointCloud& cloud, std::uint8_t* out) {
-  for (const CloudPoint& point : cloud.points) {
+void Pack(const CloudPoint* points, std::size_t count, std::uint8_t* out) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const CloudPoint& point = points[i];
     const PackedPoint packed{
         point.x, point.y, point.z, 0.0f, {point.b, point.g, point.r, 0}, point.confidence, {}};
     std::memcpy(out, &packed, sizeof(packed));
     out += sizeof(packed);
   }
+}
+
+// Points of one layout as bytes of a message.
+struct PointWriter {
+  bool compact;
+
+  std::size_t Step() const { return compact ? sizeof(CloudPoint) : sizeof(PackedPoint); }
+
+  void Write(const CloudPoint* points, std::size_t count, std::uint8_t* out) const {
+    if (!compact) return Pack(points, count, out);
+    if (count > 0) std::memcpy(out, points, count * sizeof(CloudPoint));
+  }
+};
+
+// All but the points, for which there is room.
+void DescribeCloud(int width, int height, const CloudLayout& layout, const std_msgs::Header& header,
+                   sensor_msgs::PointCloud2* message) {
+  message->header = header;
+  message->width = static_cast<std::uint32_t>(width);
+  message->height = static_cast<std::uint32_t>(height);
+  message->is_bigendian = false;
+  message->is_dense = layout.is_dense;
+  message->fields = layout.compact ? CloudFields<CloudPoint>(offsetof(CloudPoint, b))
+                                   : CloudFields<PackedPoint>(offsetof(PackedPoint, bgr0));
+  message->point_step = static_cast<std::uint32_t>(PointWriter{layout.compact}.Step());
+  message->row_step = message->point_step * message->width;
+  message->data.resize(std::size_t{message->row_step} * message->height);
 }
 
 stereo_sgmp::Plane ToPlane(const PlaneHypothesis& hypothesis, const StereoCamera& camera) {
@@ -151,26 +179,21 @@ stereo_msgs::DisparityImagePtr ToDisparityImage(const MatchResult& result, const
 sensor_msgs::PointCloud2Ptr ToPointCloud2(const PointCloud& cloud, const CloudLayout& layout,
                                           const std_msgs::Header& header) {
   auto message = boost::make_shared<sensor_msgs::PointCloud2>();
-  message->header = header;
-  message->width = static_cast<std::uint32_t>(cloud.width);
-  message->height = static_cast<std::uint32_t>(cloud.height);
-  message->is_bigendian = false;
-  message->is_dense = layout.is_dense;
-  if (layout.compact) {
-    message->fields = CloudFields<CloudPoint>(offsetof(CloudPoint, b));
-    message->point_step = sizeof(CloudPoint);
-    message->data.resize(cloud.points.size() * sizeof(CloudPoint));
-    if (!cloud.points.empty()) {
-      std::memcpy(message->data.data(), cloud.points.data(), message->data.size());
-    }
-  } else {
-    message->fields = CloudFields<PackedPoint>(offsetof(PackedPoint, bgr0));
-    message->point_step = sizeof(PackedPoint);
-    message->data.resize(cloud.points.size() * sizeof(PackedPoint));
-    Pack(cloud, message->data.data());
-  }
-  message->row_step = message->point_step * message->width;
+  DescribeCloud(cloud.width, cloud.height, layout, header, message.get());
+  PointWriter{layout.compact}.Write(cloud.points.data(), cloud.points.size(), message->data.data());
   return message;
+}
+
+void FillPointCloud2(const CloudRows& rows, bool compact, const std_msgs::Header& header,
+                     sensor_msgs::PointCloud2* message) {
+  DescribeCloud(rows.width(), rows.height(), {compact, false}, header, message);
+  std::vector<CloudPoint> row(static_cast<std::size_t>(rows.width()));
+  std::uint8_t* out = message->data.data();
+  for (int y = 0; y < rows.height(); ++y) {
+    rows.Row(y, row.data());
+    PointWriter{compact}.Write(row.data(), row.size(), out);
+    out += message->row_step;
+  }
 }
 
 stereo_sgmp::PriorsPtr ToPriors(const PlanePriors& priors, const StereoCamera& camera,

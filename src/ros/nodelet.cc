@@ -84,6 +84,7 @@ StereoSgmpNodelet::~StereoSgmpNodelet() {
   // What publishes ends before the publishers, and these, whose callbacks come to Connect, before
   // the rest.
   if (worker_) worker_->Stop();
+  processor_.reset();
   outputs_.Shutdown();
 }
 

@@ -85,10 +85,13 @@ void Outputs::PublishMaps(const MatchedFrame& frame) const {
 
 void Outputs::PublishCloud(const MatchedFrame& frame, const cv::Mat& image,
                            const CloudStreamOptions& options) {
-  ComputePointCloud(frame.result, frame.camera, image, CloudOptions(), &points_);
   if (options.Organised()) {
-    cloud_.publish(ToPointCloud2(points_, {options.compact, false}, frame.header));
+    const sensor_msgs::PointCloud2Ptr message = clouds_.Get();
+    FillPointCloud2(CloudRows(frame.result, frame.camera, image, CloudOptions()), options.compact,
+                    frame.header, message.get());
+    cloud_.publish(message);
   } else {
+    ComputePointCloud(frame.result, frame.camera, image, CloudOptions(), &points_);
     const PointCloud filtered = FilterCloud(points_, options.filter);
     cloud_.publish(ToPointCloud2(filtered, {options.compact, true}, frame.header));
   }
