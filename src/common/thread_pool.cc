@@ -3,11 +3,22 @@
 #include <pthread.h>
 #include <sched.h>
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <cstddef>
 
 namespace stereo_sgmp {
 namespace {
+
+// About as long as it takes to wake a thread.
+constexpr int kSpins = 1000;
+
+// Returns when `done` holds, or after a moment: for what comes at once most times.
+template <class Condition>
+void SpinUntil(const Condition& done) {
+  for (int i = 0; i < kSpins && !done(); ++i) hwy::Pause();
+}
 
 // What the calling thread works on: a part of a task of a pool, or nothing.
 struct Part {
@@ -69,10 +80,11 @@ void ThreadPool::Run(const std::function<void(int)>& task) {
     task_ = &task;
     error_ = nullptr;
     running_ = static_cast<int>(workers_.size());
-    ++generation_;
+    generation_.fetch_add(1);
   }
   start_.notify_all();
   Execute(0);
+  SpinUntil([this] { return running_ == 0; });
   std::unique_lock<std::mutex> lock(mutex_);
   done_.wait(lock, [this] { return running_ == 0; });
   task_ = nullptr;
@@ -92,6 +104,7 @@ void ThreadPool::ForRanges(int count, const std::function<void(int, int)>& body)
 void ThreadPool::Work(int index) {
   std::uint64_t seen = 0;
   for (;;) {
+    SpinUntil([&] { return generation_ != seen; });
     {
       std::unique_lock<std::mutex> lock(mutex_);
       start_.wait(lock, [&] { return stopping_ || generation_ != seen; });
