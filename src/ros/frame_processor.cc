@@ -35,6 +35,7 @@ void FrameProcessor::TakeNewOptions() {
 }
 
 void FrameProcessor::Process(const StereoFrame& frame, std::uint64_t dropped) {
+  if (!outputs_->AnyWanted()) return;  // the last listener has just gone
   const ros::WallTime start = ros::WallTime::now();
   RejectErrors([&] {
     MatchAndPublish(frame, dropped);
