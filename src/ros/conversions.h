@@ -37,6 +37,11 @@ stereo_msgs::DisparityImagePtr ToDisparityImage(const MatchResult& result, const
                                                 const StereoCamera& camera,
                                                 const std_msgs::Header& header);
 
+// The same into a message whose memory is used again.
+void FillDisparityImage(const MatchResult& result, const Options& options,
+                        const StereoCamera& camera, const std_msgs::Header& header,
+                        stereo_msgs::DisparityImage* message);
+
 struct CloudLayout {
   bool compact = false;   // 20 bytes a point; else 32, aligned for SIMD as PCL's points are
   bool is_dense = false;  // all points are valid

@@ -66,10 +66,12 @@ bool Outputs::AnyWanted() const {
          std::any_of(images_.begin(), images_.end(), IsWanted<image_transport::Publisher>);
 }
 
-void Outputs::PublishMaps(const MatchedFrame& frame) const {
+void Outputs::PublishMaps(const MatchedFrame& frame) {
   const MatchResult& result = frame.result;
   if (IsWanted(disparity_)) {
-    disparity_.publish(ToDisparityImage(result, frame.options, frame.camera, frame.header));
+    const stereo_msgs::DisparityImagePtr message = disparities_.Get();
+    FillDisparityImage(result, frame.options, frame.camera, frame.header, message.get());
+    disparity_.publish(message);
   }
   for (std::size_t i = 0; i < images_.size(); ++i) {
     if (!IsWanted(images_[i])) continue;

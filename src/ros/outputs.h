@@ -8,6 +8,7 @@
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 #include <sensor_msgs/PointCloud2.h>
+#include <stereo_msgs/DisparityImage.h>
 #include <opencv2/core.hpp>
 
 #include "ros/map_images.h"
@@ -36,7 +37,7 @@ class Outputs {
   }
 
   // Everything but the cloud, the baseline and the statistics.
-  void PublishMaps(const MatchedFrame& frame) const;
+  void PublishMaps(const MatchedFrame& frame);
 
   // Coloured by `image`, of the size of the left one: 8 or 16 bit, gray, BGR or BGRA. May run
   // beside the others, but not beside itself.
@@ -57,6 +58,7 @@ class Outputs {
   ros::Publisher statistics_;
   image_transport::Publisher baseline_color_;
   std::array<image_transport::Publisher, kMapImageCount> images_;  // as MapImages()
+  MessagePool<stereo_msgs::DisparityImage> disparities_;
   MessagePool<sensor_msgs::PointCloud2> clouds_;
   PointCloud points_;  // kept for its memory
 };
