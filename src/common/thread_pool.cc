@@ -3,11 +3,29 @@
 #include <pthread.h>
 #include <sched.h>
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <cstddef>
 
 namespace stereo_sgmp {
 namespace {
+
+// About as long as it takes to wake a thread.
+constexpr int kSpins = 1000;
+
+// Returns when `done` holds, or after a moment: for what comes at once most times.
+template <class Condition>
+void SpinUntil(const Condition& done) {
+  for (int i = 0; i < kSpins && !done(); ++i) hwy::Pause();
+}
+
+// What the calling thread works on: a part of a task of a pool, or nothing.
+struct Part {
+  CoreSpread* spread = nullptr;
+  int index = 0;
+};
+thread_local Part current_part;
 
 // The cores that this process may run on; empty where the system does not say.
 std::vector<int> UsableCores() {
@@ -37,7 +55,7 @@ int ThreadPool::Count(int threads) {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-ThreadPool::ThreadPool(int threads, bool pinned) {
+ThreadPool::ThreadPool(int threads, bool pinned) : spread_(Count(threads)) {
   const int count = Count(threads);
   const std::vector<int> cores = pinned ? UsableCores() : std::vector<int>();
   for (int i = 1; i < count; ++i) {
@@ -56,15 +74,17 @@ ThreadPool::~ThreadPool() {
 }
 
 void ThreadPool::Run(const std::function<void(int)>& task) {
+  spread_.Note(0);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     task_ = &task;
     error_ = nullptr;
     running_ = static_cast<int>(workers_.size());
-    ++generation_;
+    generation_.fetch_add(1);
   }
   start_.notify_all();
   Execute(0);
+  SpinUntil([this] { return running_ == 0; });
   std::unique_lock<std::mutex> lock(mutex_);
   done_.wait(lock, [this] { return running_ == 0; });
   task_ = nullptr;
@@ -84,6 +104,7 @@ void ThreadPool::ForRanges(int count, const std::function<void(int, int)>& body)
 void ThreadPool::Work(int index) {
   std::uint64_t seen = 0;
   for (;;) {
+    SpinUntil([&] { return generation_ != seen; });
     {
       std::unique_lock<std::mutex> lock(mutex_);
       start_.wait(lock, [&] { return stopping_ || generation_ != seen; });
@@ -99,13 +120,20 @@ void ThreadPool::Work(int index) {
   }
 }
 
+void ThreadPool::MoveApart() {
+  if (current_part.spread != nullptr) current_part.spread->MoveApart(current_part.index);
+}
+
 void ThreadPool::Execute(int index) {
+  current_part = {&spread_, index};
+  MoveApart();
   try {
     (*task_)(index);
   } catch (...) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!error_) error_ = std::current_exception();
   }
+  current_part = Part();
 }
 
 }  // namespace stereo_sgmp

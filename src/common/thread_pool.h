@@ -1,6 +1,7 @@
 #ifndef STEREO_SGMP_COMMON_THREAD_POOL_H_
 #define STEREO_SGMP_COMMON_THREAD_POOL_H_
 
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <exception>
@@ -9,9 +10,12 @@
 #include <thread>
 #include <vector>
 
+#include "common/core_spread.h"
+
 namespace stereo_sgmp {
 
-// Threads that sleep between tasks. One task at a time; a task must not start another.
+// Threads that sleep between tasks that do not follow each other at once, and start each of them on
+// cores of their own where there are enough. One task at a time; a task must not start another.
 class ThreadPool {
  public:
   // The threads that `threads` stands for: 0 takes the cores that this process may run on.
@@ -34,17 +38,23 @@ class ThreadPool {
   // Calls body(begin, end) over a partition of [0, count) into contiguous ranges.
   void ForRanges(int count, const std::function<void(int, int)>& body);
 
+  // For tasks whose parts wait for each other, while the calling part waits: moves it away from the
+  // core of another part. Does nothing outside of tasks.
+  static void MoveApart();
+
  private:
   void Work(int index);
   void Execute(int index);
 
+  CoreSpread spread_;
   std::vector<std::thread> workers_;
   std::mutex mutex_;
   std::condition_variable start_;
   std::condition_variable done_;
   const std::function<void(int)>* task_ = nullptr;
-  std::uint64_t generation_ = 0;
-  int running_ = 0;
+  // Changed with the lock, and read without by who looks whether to wait.
+  std::atomic<std::uint64_t> generation_{0};
+  std::atomic<int> running_{0};
   bool stopping_ = false;
   std::exception_ptr error_;
 };

@@ -1,6 +1,8 @@
-#include "stereo_sgmp/point_cloud.h"
+#include "geometry/cloud_rows.h"
 
-#include <cmath>
+#include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -42,65 +44,69 @@ void ColorRow(const T* pixels, int channels, int width, CloudPoint* points) {
   }
 }
 
-// What is the same for all points of a cloud, in the precision of its points.
-struct Projection {
-  Projection(const StereoCamera& camera, const CloudOptions& options)
-      : focal_length(static_cast<float>(camera.focal_length)),
-        baseline(static_cast<float>(camera.baseline)),
-        cx(static_cast<float>(camera.cx)),
-        cy(static_cast<float>(camera.cy)),
-        doffs(static_cast<float>(camera.doffs)),
-        max_depth(static_cast<float>(options.max_depth)),
-        min_confidence(static_cast<float>(options.min_confidence)) {}
+}  // namespace
 
-  float focal_length;
-  float baseline;
-  float cx;
-  float cy;
-  float doffs;
-  float max_depth;
-  float min_confidence;
-};
+CloudRows::CloudRows(const MatchResult& result, const StereoCamera& camera, const cv::Mat& image,
+                     const CloudOptions& options)
+    : result_(result),
+      image_(image),
+      focal_length_(static_cast<float>(camera.focal_length)),
+      baseline_(static_cast<float>(camera.baseline)),
+      cx_(static_cast<float>(camera.cx)),
+      cy_(static_cast<float>(camera.cy)),
+      doffs_(static_cast<float>(camera.doffs)),
+      max_depth_(static_cast<float>(options.max_depth)),
+      min_confidence_(static_cast<float>(options.min_confidence)) {
+  camera.Check();
+  CheckImage(result, image);
+}
 
-void PlaceRow(const MatchResult& result, const Projection& projection, int y, CloudPoint* points) {
-  const float* disparity = result.dense.ptr<float>(y);
-  const float* confidence = result.confidence.ptr<float>(y);
-  const std::uint8_t* reason = result.reason.ptr<std::uint8_t>(y);
-  const float v = static_cast<float>(y) - projection.cy;
-  for (int x = 0; x < result.dense.cols; ++x) {
-    const float shifted = disparity[x] + projection.doffs;
-    const float units_per_pixel = projection.baseline / shifted;
-    const float z = projection.focal_length * units_per_pixel;
-    const bool seen = reason[x] == static_cast<std::uint8_t>(InvalidReason::kValid) &&
-                      confidence[x] >= projection.min_confidence && shifted > 0.0f &&
-                      std::isfinite(z) && z <= projection.max_depth;
+void CloudRows::Row(int y, CloudPoint* points) const {
+  PlaceRow(y, points);
+  if (image_.depth() == CV_8U) {
+    ColorRow(image_.ptr<std::uint8_t>(y), image_.channels(), width(), points);
+  } else {
+    ColorRow(image_.ptr<std::uint16_t>(y), image_.channels(), width(), points);
+  }
+}
+
+// All is computed for each pixel and chosen afterwards: branches would mispredict.
+void CloudRows::PlaceRow(int y, CloudPoint* points) const {
+  const float* const disparity = result_.dense.ptr<float>(y);
+  const float* const confidence = result_.confidence.ptr<float>(y);
+  const std::uint8_t* const reason = result_.reason.ptr<std::uint8_t>(y);
+  const int columns = width();
+  const float doffs = doffs_;
+  const float baseline = baseline_;
+  const float focal_length = focal_length_;
+  const float max_depth = max_depth_;
+  const float min_confidence = min_confidence_;
+  const float cx = cx_;
+  const float v = static_cast<float>(y) - cy_;
+  for (int x = 0; x < columns; ++x) {
+    const float shifted = disparity[x] + doffs;
+    const float units_per_pixel = baseline / shifted;
+    const float z = focal_length * units_per_pixel;
+    const bool seen = (reason[x] == static_cast<std::uint8_t>(InvalidReason::kValid)) &
+                      (confidence[x] >= min_confidence) & (shifted > 0.0f) &
+                      (z <= std::min(max_depth, std::numeric_limits<float>::max()));
     const float scale = seen ? units_per_pixel : std::numeric_limits<float>::quiet_NaN();
-    points[x].x = (static_cast<float>(x) - projection.cx) * scale;
+    points[x].x = (static_cast<float>(x) - cx) * scale;
     points[x].y = v * scale;
-    points[x].z = projection.focal_length * scale;
+    points[x].z = focal_length * scale;
     points[x].confidence = confidence[x];
   }
 }
 
-}  // namespace
-
 void ComputePointCloud(const MatchResult& result, const StereoCamera& camera, const cv::Mat& image,
                        const CloudOptions& options, PointCloud* cloud) {
-  camera.Check();
-  CheckImage(result, image);
-  cloud->width = result.dense.cols;
-  cloud->height = result.dense.rows;
+  const CloudRows rows(result, camera, image, options);
+  cloud->width = rows.width();
+  cloud->height = rows.height();
   cloud->points.resize(result.dense.total());
-  const Projection projection(camera, options);
   for (int y = 0; y < cloud->height; ++y) {
-    CloudPoint* points =
-        cloud->points.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(cloud->width);
-    PlaceRow(result, projection, y, points);
-    if (image.depth() == CV_8U) {
-      ColorRow(image.ptr<std::uint8_t>(y), image.channels(), cloud->width, points);
-    } else {
-      ColorRow(image.ptr<std::uint16_t>(y), image.channels(), cloud->width, points);
-    }
+    rows.Row(y, cloud->points.data() +
+                    static_cast<std::size_t>(y) * static_cast<std::size_t>(cloud->width));
   }
 }
 

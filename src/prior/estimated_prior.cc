@@ -37,7 +37,7 @@ const OrientationPrior* EstimatedPrior::Estimate(const PriorOptions& options,
   ScaleUp(CoarseScale::Between({full.width, full.height}, coarse.disparity.size()));
   const PlaneSets& sets = options.variant == Variant::kEpi
                               ? SpreadOverSuperpixels(options, coarse_left, threads)
-                              : SpreadOverHulls(options, coarse.disparity, coarse_left);
+                              : SpreadOverHulls(options, coarse.disparity, coarse_left, threads);
   steering_.Assign(options, full_planes_, sets, full);
   return steering_.attracting();
 }
@@ -68,12 +68,20 @@ const PlaneSets& EstimatedPrior::SpreadOverSuperpixels(const PriorOptions& optio
 
 const PlaneSets& EstimatedPrior::SpreadOverHulls(const PriorOptions& options,
                                                  const cv::Mat& disparity,
-                                                 const cv::Mat& coarse_left) {
-  hulls_.Build(hypotheses_.map());
-  if (options.spread) {
-    SpreadLabels(coarse_left);
-    hulls_.FillEmpty(spread_.labels);
+                                                 const cv::Mat& coarse_left, ThreadPool* threads) {
+  const auto do_part = [&](int begin, int end) {
+    for (int part = begin; part < end; ++part) {
+      if (part == 0) hulls_.Build(hypotheses_.map());
+      if (part == 1 && options.spread) SpreadLabels(coarse_left);
+    }
+  };
+  constexpr int kParts = 2;
+  if (threads != nullptr) {
+    threads->ForRanges(kParts, do_part);
+  } else {
+    do_part(0, kParts);
   }
+  if (options.spread) hulls_.FillEmpty(spread_.labels);
   coarse_planes_.clear();
   for (const CoarsePlane& coarse : hypotheses_.map().planes) coarse_planes_.push_back(coarse.plane);
   LabelNearestPlanes(hulls_.sets(), coarse_planes_, disparity, &report_.labels);

@@ -46,7 +46,7 @@ class EstimatedPrior {
   const PlaneSets& SpreadOverSuperpixels(const PriorOptions& options, const cv::Mat& coarse_left,
                                          ThreadPool* threads);
   const PlaneSets& SpreadOverHulls(const PriorOptions& options, const cv::Mat& disparity,
-                                   const cv::Mat& coarse_left);
+                                   const cv::Mat& coarse_left, ThreadPool* threads);
   void SpreadLabels(const cv::Mat& coarse_left);
   void ScaleUp(const CoarseScale& scale);
 

@@ -2,6 +2,8 @@
 #ifndef STEREO_SGMP_PRIOR_LABEL_SPREAD_H_
 #define STEREO_SGMP_PRIOR_LABEL_SPREAD_H_
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -30,7 +32,10 @@ class LabelSpreader {
   void Seed(const cv::Mat& labels);
   void Leave(const cv::Mat& image, Arrival from, int cost, cv::Mat* labels);
 
-  cv::Mat_<int> cost_;                          // of the cheapest path so far
+  std::size_t CostIndex(int x, int y) const;
+
+  std::vector<std::uint8_t> cost_;  // of the cheapest path so far; with a margin of one pixel
+  std::size_t stride_ = 0;
   std::vector<std::vector<Arrival>> arrivals_;  // by cost: pixels that paths reach
 };
 

@@ -34,6 +34,7 @@ constexpr float kGrowRange = 0.6F;
 constexpr double kMaxRms = 0.3;
 // Pixels without a fitting disparity that growth steps over, less one.
 constexpr int kGap = 2;
+static_assert(2 * kGap + 1 == BitRows::kWindow, "of the pixels around one");
 // The plane is fitted again each time its region has become this much larger.
 constexpr double kRefitGrowth = 1.5;
 // Final fit: residuals beyond this count less, coarse disparities.
@@ -115,12 +116,15 @@ void PlaneHypotheses::Load(const CoarseDisparity& coarse) {
       static_cast<std::size_t>(stride_) * static_cast<std::size_t>(size.height + 2 * kPadding);
   disparity_.assign(padded, std::numeric_limits<float>::quiet_NaN());
   reached_.assign(padded, 0);
+  free_.Reset(stride_, size.height + 2 * kPadding);
   for (int y = 0; y < size.height; ++y) {
     const float* disparity = coarse.disparity.ptr<float>(y);
     const std::uint8_t* confident = coarse.confident.ptr<std::uint8_t>(y);
     float* row = disparity_.data() + Index(0, y);
     for (int x = 0; x < size.width; ++x) {
-      if (confident[x] != 0 && std::isfinite(disparity[x])) row[x] = disparity[x];
+      if (confident[x] == 0 || !std::isfinite(disparity[x])) continue;
+      row[x] = disparity[x];
+      free_.Set(x + kPadding, y + kPadding);
     }
   }
 }
@@ -183,12 +187,16 @@ void PlaneHypotheses::Grow(const Seed& seed) {
   }
 }
 
+// Around most pixels of a region all are taken: whole rows are passed over by their bits.
 void PlaneHypotheses::TakeAround(int x, int y, const DisparityPlane& plane) {
   const float slope = static_cast<float>(plane.a);
   for (int dy = -kGap; dy <= kGap; ++dy) {
+    const unsigned free = free_.Window(x - kGap + kPadding, y + dy + kPadding);
+    if (free == 0) continue;
     const float* row = disparity_.data() + Index(x, y + dy);
     const float centre = static_cast<float>(plane.At(x, y + dy));
     for (int dx = -kGap; dx <= kGap; ++dx) {
+      if ((free >> (dx + kGap) & 1U) == 0) continue;
       const float residual = row[dx] - (centre + slope * static_cast<float>(dx));
       if (std::abs(residual) < kGrowRange) Take(x + dx, y + dy);
     }
@@ -199,7 +207,7 @@ void PlaneHypotheses::Take(int x, int y) {
   const std::size_t i = static_cast<std::size_t>(Index(x, y));
   pixels_.push_back({static_cast<float>(x), static_cast<float>(y), disparity_[i]});
   moments_.Add(x, y, disparity_[i]);
-  disparity_[i] = std::numeric_limits<float>::quiet_NaN();
+  free_.Clear(x + kPadding, y + kPadding);
   reached_[i] = 1;
 }
 
@@ -227,8 +235,7 @@ bool PlaneHypotheses::Keep(int min_area) {
 
 void PlaneHypotheses::Release(std::vector<DisparitySample>::const_iterator first) {
   for (auto s = first; s != pixels_.end(); ++s) {
-    const int i = Index(static_cast<int>(s->x), static_cast<int>(s->y));
-    disparity_[static_cast<std::size_t>(i)] = s->disparity;
+    free_.Set(static_cast<int>(s->x) + kPadding, static_cast<int>(s->y) + kPadding);
   }
 }
 

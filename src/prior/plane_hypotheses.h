@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 
 #include "common/thread_pool.h"
+#include "prior/bit_rows.h"
 #include "prior/plane_fit.h"
 #include "stereo_sgmp/disparity_plane.h"
 #include "stereo_sgmp/options.h"
@@ -69,8 +70,10 @@ class PlaneHypotheses {
   int Index(int x, int y) const;
 
   // Padded, so that windows and gaps need no test for the border. Not a number where there is no
-  // confident disparity or where a region has already taken it.
+  // confident disparity.
   std::vector<float> disparity_;
+  // Padded: where there is a confident disparity that no region has taken.
+  BitRows free_;
   // Padded: whether a region has ever reached the pixel; such pixels don't seed another.
   std::vector<std::uint8_t> reached_;
   int stride_ = 0;

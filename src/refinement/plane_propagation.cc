@@ -47,6 +47,61 @@ RowSums operator+(const RowSums& a, const RowSums& b) {
   return {a.n + b.n, a.x + b.x, a.xx + b.xx, a.e + b.e, a.xe + b.xe};
 }
 
+// `color_link`: of the colours of the two pixels.
+float Link(float color_link, float d, float other) {
+  return color_link * Clamp01(kGateOffset - kGateSlope * std::abs(d - other));
+}
+
+RowSums Pixel(const PropagationRow& row, int x) {
+  return SumsOfPixel(row.weight[x], row.disparity[x]);
+}
+
+RowSums Load(const PropagationRow& row, int x) {
+  return {row.sums[0][x], row.sums[1][x], row.sums[2][x], row.sums[3][x], row.sums[4][x]};
+}
+
+void Store(const RowSums& s, const PropagationRow& row, int x) {
+  row.sums[0][x] = s.n;
+  row.sums[1][x] = s.x;
+  row.sums[2][x] = s.xx;
+  row.sums[3][x] = s.e;
+  row.sums[4][x] = s.xe;
+}
+
+// First the sums over the pixels up to each one, then those over what lies to its right.
+template <int kRows>
+void SumAlong(const std::array<PropagationRow, kRows>& rows, const float* color_link, int width,
+              std::ptrdiff_t stride) {
+  std::array<RowSums, kRows> sums;
+  for (std::size_t i = 0; i < kRows; ++i) {
+    sums[i] = Pixel(rows[i], 0);
+    Store(sums[i], rows[i], 0);
+  }
+  for (int x = 1; x < width; ++x) {
+    for (std::size_t i = 0; i < kRows; ++i) {
+      const PropagationRow& row = rows[i];
+      const float link =
+          Link(color_link[row.difference[x]], row.disparity[x], row.disparity[x - 1]);
+      sums[i] = Pixel(row, x) + ToTheRight(sums[i], link);
+      Store(sums[i], row, x);
+    }
+  }
+  for (std::size_t i = 0; i < kRows; ++i) {
+    for (int x = width; x < stride; ++x) Store(Pixel(rows[i], x), rows[i], x);
+    sums[i] = Pixel(rows[i], width - 1);
+  }
+  for (int x = width - 2; x >= 0; --x) {
+    for (std::size_t i = 0; i < kRows; ++i) {
+      const PropagationRow& row = rows[i];
+      const float link =
+          Link(color_link[row.difference[x + 1]], row.disparity[x + 1], row.disparity[x]);
+      const RowSums beyond = ToTheLeft(sums[i], link);
+      sums[i] = Pixel(row, x) + beyond;
+      Store(Load(row, x) + beyond, row, x);
+    }
+  }
+}
+
 }  // namespace
 
 PlanePropagation::PlanePropagation() {
@@ -66,10 +121,8 @@ void PlanePropagation::Apply(const cv::Mat& image, const cv::Mat& confidence, cv
   const int strips = static_cast<int>(stride_ / PropagationStrip::kWidth);
   for (int round = 0; round < kRounds; ++round) {
     pool->ForRanges(size.height, [&](int begin, int end) {
-      for (int y = begin; y < end; ++y) {
-        LinkDown(size.width, y);
-        SumAlongRow(size.width, y);
-      }
+      for (int y = begin; y < end; ++y) LinkDown(size.width, y);
+      SumAlongRows(size.width, begin, end);
     });
     pool->Run([&](int thread) {
       float* scratch = scratch_[static_cast<std::size_t>(thread)].data();
@@ -110,47 +163,31 @@ void PlanePropagation::LoadRow(const cv::Mat& confidence, const cv::Mat& dispari
   std::fill(share + disparity.cols, share + stride_, 0.0f);
 }
 
-float PlanePropagation::Link(std::uint8_t difference, float d, float other) const {
-  return color_link_[difference] * Clamp01(kGateOffset - kGateSlope * std::abs(d - other));
-}
-
 void PlanePropagation::LinkDown(int width, int y) {
   float* link = down_.data() + Offset(y);
   std::fill(link, link + stride_, 0.0f);
   if (y == 0) return;
   const float* d = disparity_.data() + Offset(y);
   const std::uint8_t* difference = contrast_.Row(kDown, y);
-  for (int x = 0; x < width; ++x) link[x] = Link(difference[x], d[x], d[x - stride_]);
+  for (int x = 0; x < width; ++x) link[x] = Link(color_link_[difference[x]], d[x], d[x - stride_]);
 }
 
-// First the sums over the pixels up to each one, then those over what lies to its right.
-void PlanePropagation::SumAlongRow(int width, int y) {
-  const float* d = disparity_.data() + Offset(y);
-  const float* weight = weight_.data() + Offset(y);
-  const std::uint8_t* difference = contrast_.Row(kAcross, y);
-  std::array<float*, PropagationStrip::kSums> out;
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = sums_[i].data() + Offset(y);
-  const auto store = [&](int x, const RowSums& s) {
-    out[0][x] = s.n;
-    out[1][x] = s.x;
-    out[2][x] = s.xx;
-    out[3][x] = s.e;
-    out[4][x] = s.xe;
-  };
-  RowSums sums = SumsOfPixel(weight[0], d[0]);
-  store(0, sums);
-  for (int x = 1; x < width; ++x) {
-    const float link = Link(difference[x], d[x], d[x - 1]);
-    sums = SumsOfPixel(weight[x], d[x]) + ToTheRight(sums, link);
-    store(x, sums);
+void PlanePropagation::SumAlongRows(int width, int begin, int end) {
+  // Two rows side by side, since each sum waits for the one before it.
+  int y = begin;
+  for (; y + 1 < end; y += 2) {
+    SumAlong<2>({RowAt(y), RowAt(y + 1)}, color_link_.data(), width, stride_);
   }
-  for (int x = width; x < stride_; ++x) store(x, SumsOfPixel(weight[x], d[x]));
-  sums = SumsOfPixel(weight[width - 1], d[width - 1]);
-  for (int x = width - 2; x >= 0; --x) {
-    const RowSums beyond = ToTheLeft(sums, Link(difference[x + 1], d[x + 1], d[x]));
-    sums = SumsOfPixel(weight[x], d[x]) + beyond;
-    store(x, RowSums{out[0][x], out[1][x], out[2][x], out[3][x], out[4][x]} + beyond);
-  }
+  if (y < end) SumAlong<1>({RowAt(y)}, color_link_.data(), width, stride_);
+}
+
+PropagationRow PlanePropagation::RowAt(int y) {
+  PropagationRow row;
+  row.disparity = disparity_.data() + Offset(y);
+  row.weight = weight_.data() + Offset(y);
+  row.difference = contrast_.Row(kAcross, y);
+  for (std::size_t i = 0; i < sums_.size(); ++i) row.sums[i] = sums_[i].data() + Offset(y);
+  return row;
 }
 
 void PlanePropagation::MoveToPlanes(int strip, int height, float* scratch) {

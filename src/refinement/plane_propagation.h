@@ -15,6 +15,14 @@
 
 namespace stereo_sgmp {
 
+// A row of the buffers of PlanePropagation.
+struct PropagationRow {
+  const float* disparity = nullptr;
+  const float* weight = nullptr;
+  const std::uint8_t* difference = nullptr;  // of the colours of each pixel and the one before
+  std::array<float*, PropagationStrip::kSums> sums = {};
+};
+
 // Moves unsure disparities onto the plane of the surer ones on the same surface, from as far as
 // the surface goes on: a least-squares plane at each pixel p over all others q, weighted by
 //   (confidence(q)^8 + 1e-6) times the product of the links between q and p.
@@ -46,9 +54,9 @@ class PlanePropagation {
   void Reserve(cv::Size size, int threads);
   void LoadRow(const cv::Mat& confidence, const cv::Mat& disparity, int y);
   void LinkDown(int width, int y);
-  void SumAlongRow(int width, int y);
+  void SumAlongRows(int width, int begin, int end);
+  PropagationRow RowAt(int y);
   void MoveToPlanes(int strip, int height, float* scratch);
-  float Link(std::uint8_t difference, float d, float other) const;
   std::ptrdiff_t Offset(int y) const { return y * stride_; }
 
   std::array<float, kDifferences> color_link_;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 #include <cv_bridge/cv_bridge.h>
@@ -41,7 +42,7 @@ sensor_msgs::RegionOfInterest ValidWindow(cv::Size size, const Options& options)
   return window;
 }
 
-// A zeroed image message of `type`, and its pixels as a matrix that shares the message's memory.
+// An image message of `type`, and its pixels as a matrix that shares the message's memory.
 cv::Mat Allocate(cv::Size size, int type, const std::string& encoding, sensor_msgs::Image* image) {
   image->height = static_cast<std::uint32_t>(size.height);
   image->width = static_cast<std::uint32_t>(size.width);
@@ -49,6 +50,20 @@ cv::Mat Allocate(cv::Size size, int type, const std::string& encoding, sensor_ms
   image->step = image->width * static_cast<std::uint32_t>(CV_ELEM_SIZE(type));
   image->data.resize(std::size_t{image->step} * image->height);
   return cv::Mat(size, type, image->data.data(), image->step);
+}
+
+// Without branches, so that the compiler vectorises it.
+void WidenByValid(const float* disparity, const std::uint8_t* reason, int width, float* lowest,
+                  float* highest) {
+  float low = *lowest;
+  float high = *highest;
+  for (int x = 0; x < width; ++x) {
+    const float d = disparity[x];
+    low = std::min(low, reason[x] == 0 ? d : low);
+    high = std::max(high, reason[x] == 0 ? d : high);
+  }
+  *lowest = low;
+  *highest = high;
 }
 
 sensor_msgs::PointField FloatField(const std::string& name, std::size_t offset) {
@@ -79,13 +94,41 @@ std::vector<sensor_msgs::PointField> CloudFields(std::size_t rgb_offset) {
           FloatField("confidence", offsetof(Point, confidence))};
 }
 
-void Pack(const PointCloud& cloud, std::uint8_t* out) {
-  for (const CloudPoint& point : cloud.points) {
+void Pack(const CloudPoint* points, std::size_t count, std::uint8_t* out) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const CloudPoint& point = points[i];
     const PackedPoint packed{
         point.x, point.y, point.z, 0.0f, {point.b, point.g, point.r, 0}, point.confidence, {}};
     std::memcpy(out, &packed, sizeof(packed));
     out += sizeof(packed);
   }
+}
+
+// Points of one layout as bytes of a message.
+struct PointWriter {
+  bool compact;
+
+  std::size_t Step() const { return compact ? sizeof(CloudPoint) : sizeof(PackedPoint); }
+
+  void Write(const CloudPoint* points, std::size_t count, std::uint8_t* out) const {
+    if (!compact) return Pack(points, count, out);
+    if (count > 0) std::memcpy(out, points, count * sizeof(CloudPoint));
+  }
+};
+
+// All but the points, for which there is room.
+void DescribeCloud(int width, int height, const CloudLayout& layout, const std_msgs::Header& header,
+                   sensor_msgs::PointCloud2* message) {
+  message->header = header;
+  message->width = static_cast<std::uint32_t>(width);
+  message->height = static_cast<std::uint32_t>(height);
+  message->is_bigendian = false;
+  message->is_dense = layout.is_dense;
+  message->fields = layout.compact ? CloudFields<CloudPoint>(offsetof(CloudPoint, b))
+                                   : CloudFields<PackedPoint>(offsetof(PackedPoint, bgr0));
+  message->point_step = static_cast<std::uint32_t>(PointWriter{layout.compact}.Step());
+  message->row_step = message->point_step * message->width;
+  message->data.resize(std::size_t{message->row_step} * message->height);
 }
 
 stereo_sgmp::Plane ToPlane(const PlaneHypothesis& hypothesis, const StereoCamera& camera) {
@@ -114,24 +157,28 @@ void FillAlignment(const AlignmentReport& report, stereo_sgmp::Statistics* messa
 
 DisparityLimits PublishedLimits(const MatchResult& result, const Options& options,
                                 const StereoCamera& camera) {
-  double lowest = options.min_disparity;
-  double highest = LastDisparity(options);
-  const cv::Mat valid = result.reason == 0;
-  if (cv::countNonZero(valid) > 0) {
-    double frame_lowest = 0.0;
-    double frame_highest = 0.0;
-    cv::minMaxLoc(result.dense, &frame_lowest, &frame_highest, nullptr, nullptr, valid);
-    lowest = std::min(lowest, frame_lowest);
-    highest = std::max(highest, frame_highest);
+  float lowest = std::numeric_limits<float>::infinity();
+  float highest = -lowest;
+  for (int y = 0; y < result.dense.rows; ++y) {
+    WidenByValid(result.dense.ptr<float>(y), result.reason.ptr<std::uint8_t>(y), result.dense.cols,
+                 &lowest, &highest);
   }
   const double margin = DisparityStep(options);
-  return {lowest + camera.doffs - margin, highest + camera.doffs + margin};
+  return {std::min<double>(lowest, options.min_disparity) + camera.doffs - margin,
+          std::max<double>(highest, LastDisparity(options)) + camera.doffs + margin};
 }
 
 stereo_msgs::DisparityImagePtr ToDisparityImage(const MatchResult& result, const Options& options,
                                                 const StereoCamera& camera,
                                                 const std_msgs::Header& header) {
   auto message = boost::make_shared<stereo_msgs::DisparityImage>();
+  FillDisparityImage(result, options, camera, header, message.get());
+  return message;
+}
+
+void FillDisparityImage(const MatchResult& result, const Options& options,
+                        const StereoCamera& camera, const std_msgs::Header& header,
+                        stereo_msgs::DisparityImage* message) {
   message->header = header;
   message->image.header = header;
   message->f = static_cast<float>(camera.focal_length);
@@ -143,34 +190,34 @@ stereo_msgs::DisparityImagePtr ToDisparityImage(const MatchResult& result, const
   message->delta_d = static_cast<float>(DisparityStep(options));
 
   cv::Mat disparity = Allocate(result.dense.size(), CV_32FC1, enc::TYPE_32FC1, &message->image);
-  cv::add(result.dense, cv::Scalar(camera.doffs), disparity);
-  disparity.setTo(message->min_disparity - 1.0f, result.reason != 0);
-  return message;
+  const float doffs = static_cast<float>(camera.doffs);
+  const float invalid = message->min_disparity - 1.0f;
+  for (int y = 0; y < disparity.rows; ++y) {
+    const float* const dense = result.dense.ptr<float>(y);
+    const std::uint8_t* const reason = result.reason.ptr<std::uint8_t>(y);
+    float* const out = disparity.ptr<float>(y);
+    for (int x = 0; x < disparity.cols; ++x) out[x] = reason[x] == 0 ? dense[x] + doffs : invalid;
+  }
 }
 
 sensor_msgs::PointCloud2Ptr ToPointCloud2(const PointCloud& cloud, const CloudLayout& layout,
                                           const std_msgs::Header& header) {
   auto message = boost::make_shared<sensor_msgs::PointCloud2>();
-  message->header = header;
-  message->width = static_cast<std::uint32_t>(cloud.width);
-  message->height = static_cast<std::uint32_t>(cloud.height);
-  message->is_bigendian = false;
-  message->is_dense = layout.is_dense;
-  if (layout.compact) {
-    message->fields = CloudFields<CloudPoint>(offsetof(CloudPoint, b));
-    message->point_step = sizeof(CloudPoint);
-    message->data.resize(cloud.points.size() * sizeof(CloudPoint));
-    if (!cloud.points.empty()) {
-      std::memcpy(message->data.data(), cloud.points.data(), message->data.size());
-    }
-  } else {
-    message->fields = CloudFields<PackedPoint>(offsetof(PackedPoint, bgr0));
-    message->point_step = sizeof(PackedPoint);
-    message->data.resize(cloud.points.size() * sizeof(PackedPoint));
-    Pack(cloud, message->data.data());
-  }
-  message->row_step = message->point_step * message->width;
+  DescribeCloud(cloud.width, cloud.height, layout, header, message.get());
+  PointWriter{layout.compact}.Write(cloud.points.data(), cloud.points.size(), message->data.data());
   return message;
+}
+
+void FillPointCloud2(const CloudRows& rows, bool compact, const std_msgs::Header& header,
+                     sensor_msgs::PointCloud2* message) {
+  DescribeCloud(rows.width(), rows.height(), {compact, false}, header, message);
+  std::vector<CloudPoint> row(static_cast<std::size_t>(rows.width()));
+  std::uint8_t* out = message->data.data();
+  for (int y = 0; y < rows.height(); ++y) {
+    rows.Row(y, row.data());
+    PointWriter{compact}.Write(row.data(), row.size(), out);
+    out += message->row_step;
+  }
 }
 
 stereo_sgmp::PriorsPtr ToPriors(const PlanePriors& priors, const StereoCamera& camera,

@@ -12,6 +12,7 @@
 #include <stereo_sgmp/Statistics.h>
 #include <opencv2/core.hpp>
 
+#include "geometry/cloud_rows.h"
 #include "stereo_sgmp/match_result.h"
 #include "stereo_sgmp/options.h"
 #include "stereo_sgmp/point_cloud.h"
@@ -36,6 +37,11 @@ stereo_msgs::DisparityImagePtr ToDisparityImage(const MatchResult& result, const
                                                 const StereoCamera& camera,
                                                 const std_msgs::Header& header);
 
+// The same into a message whose memory is used again.
+void FillDisparityImage(const MatchResult& result, const Options& options,
+                        const StereoCamera& camera, const std_msgs::Header& header,
+                        stereo_msgs::DisparityImage* message);
+
 struct CloudLayout {
   bool compact = false;   // 20 bytes a point; else 32, aligned for SIMD as PCL's points are
   bool is_dense = false;  // all points are valid
@@ -44,6 +50,10 @@ struct CloudLayout {
 // With the fields x y z rgb confidence.
 sensor_msgs::PointCloud2Ptr ToPointCloud2(const PointCloud& cloud, const CloudLayout& layout,
                                           const std_msgs::Header& header);
+
+// The same of an organised cloud, into a message whose memory is used again.
+void FillPointCloud2(const CloudRows& rows, bool compact, const std_msgs::Header& header,
+                     sensor_msgs::PointCloud2* message);
 
 stereo_sgmp::PriorsPtr ToPriors(const PlanePriors& priors, const StereoCamera& camera,
                                 const std_msgs::Header& header);

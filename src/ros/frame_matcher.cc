@@ -1,6 +1,7 @@
 #include "ros/frame_matcher.h"
 
 #include <cstddef>
+#include <utility>
 
 #include "ros/search_range.h"
 
@@ -14,7 +15,8 @@ void FrameMatcher::Match(const cv::Mat& left, const cv::Mat& right, const Stereo
   level_ = &LoadLevels()[static_cast<std::size_t>(level_index_)];
   MatchInputs inputs;
   inputs.camera = camera;
-  matcher_.Match(left, right, inputs, match_options_, *level_, &result_);
+  if (std::exchange(keep_result_, false)) newest_ = 1 - newest_;
+  matcher_.Match(left, right, inputs, match_options_, *level_, &results_[newest_]);
 }
 
 void FrameMatcher::MatchBaseline(const cv::Mat& left, const cv::Mat& right) {

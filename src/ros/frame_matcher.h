@@ -1,6 +1,8 @@
 #ifndef STEREO_SGMP_ROS_FRAME_MATCHER_H_
 #define STEREO_SGMP_ROS_FRAME_MATCHER_H_
 
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <string>
 
@@ -34,6 +36,10 @@ class FrameMatcher {
   // Frees what MatchBaseline holds.
   void ReleaseBaseline() { baseline_.reset(); }
 
+  // The result of the last Match stays as it is during the next one, which takes the memory of the
+  // one before.
+  void KeepResult() { keep_result_ = true; }
+
   // After all work for a frame, in seconds: decides the level of the next one.
   void NoteFrameTime(double seconds);
 
@@ -43,7 +49,7 @@ class FrameMatcher {
   // the range could not be searched as asked for.
   const Options& match_options() const { return match_options_; }
   const std::string& range_problem() const { return range_problem_; }
-  const MatchResult& result() const { return result_; }
+  const MatchResult& result() const { return results_[newest_]; }
   const LoadLevel& level() const { return *level_; }
   int level_index() const { return level_index_; }
 
@@ -67,7 +73,9 @@ class FrameMatcher {
   int level_index_ = 0;
   const LoadLevel* level_ = &LoadLevels().front();
   ScaledMatcher matcher_;
-  MatchResult result_;
+  std::array<MatchResult, 2> results_;
+  std::size_t newest_ = 0;
+  bool keep_result_ = false;
   std::unique_ptr<Baseline> baseline_;
 };
 

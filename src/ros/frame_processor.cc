@@ -35,10 +35,17 @@ void FrameProcessor::TakeNewOptions() {
 }
 
 void FrameProcessor::Process(const StereoFrame& frame, std::uint64_t dropped) {
+  if (!outputs_->AnyWanted()) return;  // the last listener has just gone
   const ros::WallTime start = ros::WallTime::now();
-  try {
+  RejectErrors([&] {
     MatchAndPublish(frame, dropped);
     matcher_.NoteFrameTime((ros::WallTime::now() - start).toSec());
+  });
+}
+
+void FrameProcessor::RejectErrors(const std::function<void()>& work) {
+  try {
+    work();
   } catch (const std::exception& error) {
     Reject(error.what(), error.what());
   } catch (...) {
@@ -65,19 +72,31 @@ void FrameProcessor::MatchAndPublish(const StereoFrame& frame, std::uint64_t dro
   const MatchedFrame matched{matcher_.result(), matcher_.match_options(), camera,
                              matcher_.level().scale, frame.left->header};
   outputs_->PublishMaps(matched);
-  Latencies latencies;
-  latencies.disparity = MillisecondsSince(frame.arrival);
-  // As numbers: a ros::Duration does not hold every difference of two stamps.
-  latencies.age = (ros::Time::now().toSec() - frame.left->header.stamp.toSec()) * 1e3;
   ++matched_;
-  if (outputs_->CloudWanted()) {
-    if (!color) color = colors_->Find(frame.left->header.stamp);
-    PublishCloud(matched, color, images.left);
-    latencies.cloud = MillisecondsSince(frame.arrival);
-  }
+  const stereo_sgmp::StatisticsPtr statistics = MakeStatistics(matched, frame.arrival, dropped);
+  matcher_.KeepResult();
+  const CloudStreamOptions& cloud = matcher_.options().stream.cloud;
+  follow_up_.Start([=, left = images.left, arrival = frame.arrival] {
+    FollowUp(matched, cloud, color, left, arrival, statistics);
+  });
   PublishBaseline(matched, images);
-  PublishStatistics(matched, latencies, dropped);
   CheckRig(frame, images, camera);
+}
+
+// While the next frame is matched.
+void FrameProcessor::FollowUp(const MatchedFrame& matched, const CloudStreamOptions& cloud,
+                              sensor_msgs::ImageConstPtr color,
+                              const cv_bridge::CvImageConstPtr& left, const ros::WallTime& arrival,
+                              const stereo_sgmp::StatisticsPtr& statistics) {
+  RejectErrors([&] {
+    if (outputs_->CloudWanted()) {
+      if (!color) color = colors_->Find(matched.header.stamp);
+      outputs_->PublishCloud(matched, CloudColor(color, left)->image, cloud);
+      statistics->cloud_latency_ms = MillisecondsSince(arrival);
+    }
+    outputs_->PublishStatistics(statistics);
+    diagnostics_->NoteFrame(statistics);
+  });
 }
 
 void FrameProcessor::CheckRig(const StereoFrame& frame, const InputPair& images,
@@ -95,12 +114,6 @@ void FrameProcessor::CheckRig(const StereoFrame& frame, const InputPair& images,
                                                     options, matcher_.result().statistics)) {
     tell_(Severity::kWarning, problem.kind, problem.text);
   }
-}
-
-void FrameProcessor::PublishCloud(const MatchedFrame& matched,
-                                  const sensor_msgs::ImageConstPtr& color,
-                                  const cv_bridge::CvImageConstPtr& left) {
-  outputs_->PublishCloud(matched, CloudColor(color, left)->image, matcher_.options().stream.cloud);
 }
 
 // The colour image of the same exposure if it has come and is usable, else the left one.
@@ -128,19 +141,19 @@ void FrameProcessor::PublishBaseline(const MatchedFrame& matched, const InputPai
                              matched.camera, matched.scale, matched.header});
 }
 
-void FrameProcessor::PublishStatistics(const MatchedFrame& matched, const Latencies& latencies,
-                                       std::uint64_t dropped) {
+stereo_sgmp::StatisticsPtr FrameProcessor::MakeStatistics(const MatchedFrame& matched,
+                                                          const ros::WallTime& arrival,
+                                                          std::uint64_t dropped) const {
   const stereo_sgmp::StatisticsPtr message = ToStatistics(matched.result, matched.header);
-  message->latency_ms = latencies.disparity;
-  message->cloud_latency_ms = latencies.cloud;
-  message->age_ms = latencies.age;
+  message->latency_ms = MillisecondsSince(arrival);
+  // As numbers: a ros::Duration does not hold every difference of two stamps.
+  message->age_ms = (ros::Time::now().toSec() - matched.header.stamp.toSec()) * 1e3;
   message->frames = matched_;
   message->dropped = dropped;
   message->rejected = rejected_;
   message->load_level = static_cast<std::uint8_t>(matcher_.level_index());
   message->load = matcher_.level().name;
-  outputs_->PublishStatistics(message);
-  diagnostics_->NoteFrame(message);
+  return message;
 }
 
 }  // namespace stereo_sgmp

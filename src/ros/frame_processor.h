@@ -1,6 +1,7 @@
 #ifndef STEREO_SGMP_ROS_FRAME_PROCESSOR_H_
 #define STEREO_SGMP_ROS_FRAME_PROCESSOR_H_
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <mutex>
@@ -13,6 +14,7 @@
 #include "ros/calibration_report.h"
 #include "ros/color_images.h"
 #include "ros/diagnostics.h"
+#include "ros/follow_up_thread.h"
 #include "ros/frame_matcher.h"
 #include "ros/input_images.h"
 #include "ros/outputs.h"
@@ -24,7 +26,8 @@ namespace stereo_sgmp {
 
 enum class Severity { kInfo, kWarning, kError };
 
-// From frames to published results. All but SetOptions is of one thread.
+// From frames to published results. All but SetOptions is of one thread; the cloud and what reports
+// on the frame follow on another, beside the next frame.
 class FrameProcessor {
  public:
   // Gets a sentence for people, and a name for its kind.
@@ -42,20 +45,16 @@ class FrameProcessor {
   void Process(const StereoFrame& frame, std::uint64_t dropped);
 
  private:
-  // Milliseconds, as in Statistics.msg.
-  struct Latencies {
-    double disparity = 0.0;
-    double cloud = 0.0;
-    double age = 0.0;
-  };
-
   void MatchAndPublish(const StereoFrame& frame, std::uint64_t dropped);
   void CheckRig(const StereoFrame& frame, const InputPair& images, const StereoCamera& camera);
-  void PublishCloud(const MatchedFrame& matched, const sensor_msgs::ImageConstPtr& color,
-                    const cv_bridge::CvImageConstPtr& left);
+  void FollowUp(const MatchedFrame& matched, const CloudStreamOptions& cloud,
+                sensor_msgs::ImageConstPtr color, const cv_bridge::CvImageConstPtr& left,
+                const ros::WallTime& arrival, const stereo_sgmp::StatisticsPtr& statistics);
   void PublishBaseline(const MatchedFrame& matched, const InputPair& images);
-  void PublishStatistics(const MatchedFrame& matched, const Latencies& latencies,
-                         std::uint64_t dropped);
+  stereo_sgmp::StatisticsPtr MakeStatistics(const MatchedFrame& matched,
+                                            const ros::WallTime& arrival,
+                                            std::uint64_t dropped) const;
+  void RejectErrors(const std::function<void()>& work);
   void Reject(const std::string& kind, const std::string& problem);
   cv_bridge::CvImageConstPtr CloudColor(const sensor_msgs::ImageConstPtr& color,
                                         const cv_bridge::CvImageConstPtr& left) const;
@@ -73,7 +72,9 @@ class FrameProcessor {
   CalibrationLog calibration_log_;
   RigWatch rig_watch_;
   std::uint64_t matched_ = 0;
-  std::uint64_t rejected_ = 0;
+  std::atomic<std::uint64_t> rejected_{0};
+
+  FollowUpThread follow_up_;  // last: it uses all of the above
 };
 
 }  // namespace stereo_sgmp

@@ -12,8 +12,8 @@ namespace stereo_sgmp {
 // A matched frame and what the messages about it need.
 struct MatchedFrame {
   const MatchResult& result;
-  const Options& options;
-  const StereoCamera& camera;
+  Options options;
+  StereoCamera camera;
   double scale;             // of the images that were matched to those that came, 1 or less
   std_msgs::Header header;  // of the left image
 };

@@ -61,6 +61,8 @@ void StereoSgmpNodelet::onInit() {
   images_ = std::make_unique<image_transport::ImageTransport>(nh);
   outputs_.Advertise(nh, [this] { Connect(); });
   watch_timer_ = nh.createWallTimer(ros::WallDuration(1.0), [this](const auto&) { Watch(); });
+  leave_timer_ =
+      nh.createWallTimer(ros::WallDuration(0.25), [this](const auto&) { LeaveUnwanted(); });
 }
 
 void StereoSgmpNodelet::MakeWorker(const NodeletOptions& options) {
@@ -75,6 +77,7 @@ void StereoSgmpNodelet::MakeWorker(const NodeletOptions& options) {
 
 StereoSgmpNodelet::~StereoSgmpNodelet() {
   watch_timer_.stop();
+  leave_timer_.stop();
   reconfigure_server_.reset();
   {
     std::lock_guard<std::mutex> lock(connect_mutex_);
@@ -84,18 +87,25 @@ StereoSgmpNodelet::~StereoSgmpNodelet() {
   // What publishes ends before the publishers, and these, whose callbacks come to Connect, before
   // the rest.
   if (worker_) worker_->Stop();
+  processor_.reset();
   outputs_.Shutdown();
 }
 
 void StereoSgmpNodelet::Connect() {
   std::lock_guard<std::mutex> lock(connect_mutex_);
   if (closing_) return;
-  if (!outputs_.AnyWanted()) {
-    Unsubscribe();
-  } else {
-    if (!left_info_) Subscribe();
-    ConnectColor();
-  }
+  if (outputs_.AnyWanted() && !left_info_) Subscribe();
+  if (outputs_.CloudWanted() && !left_color_) SubscribeColor();
+}
+
+void StereoSgmpNodelet::LeaveUnwanted() {
+  constexpr int kPatience = 2;  // checks in a row that find nobody
+  std::lock_guard<std::mutex> lock(connect_mutex_);
+  if (closing_) return;
+  unwanted_checks_ = outputs_.AnyWanted() ? 0 : unwanted_checks_ + 1;
+  if (left_info_ && unwanted_checks_ >= kPatience) Unsubscribe();
+  unwanted_cloud_checks_ = outputs_.CloudWanted() ? 0 : unwanted_cloud_checks_ + 1;
+  if (left_color_ && unwanted_cloud_checks_ >= kPatience) UnsubscribeColor();
 }
 
 void StereoSgmpNodelet::Subscribe() {
@@ -119,25 +129,22 @@ void StereoSgmpNodelet::Subscribe() {
 void StereoSgmpNodelet::Unsubscribe() {
   left_image_.shutdown();
   right_image_.shutdown();
-  left_color_.shutdown();
   left_info_.shutdown();
   right_info_.shutdown();
-  colors_.Clear();
+  UnsubscribeColor();
   if (worker_) worker_->Clear();
 }
 
 // Colour serves the cloud alone. The subscription does not need a publisher: without colour
 // images the cloud is gray.
-void StereoSgmpNodelet::ConnectColor() {
-  if (!outputs_.CloudWanted()) {
-    left_color_.shutdown();
-    colors_.Clear();
-  } else if (!left_color_) {
-    const image_transport::TransportHints hints("raw", ros::TransportHints(),
-                                                getPrivateNodeHandle());
-    left_color_ =
-        images_->subscribe("left/image_rect_color", 5, &ColorImages::Add, &colors_, hints);
-  }
+void StereoSgmpNodelet::SubscribeColor() {
+  const image_transport::TransportHints hints("raw", ros::TransportHints(), getPrivateNodeHandle());
+  left_color_ = images_->subscribe("left/image_rect_color", 5, &ColorImages::Add, &colors_, hints);
+}
+
+void StereoSgmpNodelet::UnsubscribeColor() {
+  left_color_.shutdown();
+  colors_.Clear();
 }
 
 void StereoSgmpNodelet::Reconfigure(StereoSgmpConfig& config) {

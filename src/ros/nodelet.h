@@ -43,11 +43,15 @@ class StereoSgmpNodelet : public nodelet::Nodelet {
   void onInit() override;
   void MakeWorker(const NodeletOptions& options);
 
-  // Subscribes while somebody listens to an output, and only then.
+  // Subscribes while somebody listens to an output. Leaves the inputs some time after the last
+  // listener has gone: each subscription takes several exchanges with the master and the cameras,
+  // which would pile up where listeners come and go.
   void Connect();
+  void LeaveUnwanted();
   void Subscribe();
   void Unsubscribe();
-  void ConnectColor();
+  void SubscribeColor();
+  void UnsubscribeColor();
 
   void Reconfigure(StereoSgmpConfig& config);
 
@@ -70,9 +74,12 @@ class StereoSgmpNodelet : public nodelet::Nodelet {
   std::unique_ptr<StereoSynchronizer> synchronizer_;
   InputWatch input_watch_;
   ros::WallTimer watch_timer_;
+  ros::WallTimer leave_timer_;
 
   std::mutex connect_mutex_;  // guards the below, but for the reconfigure server
   bool closing_ = false;
+  int unwanted_checks_ = 0;  // in a row
+  int unwanted_cloud_checks_ = 0;
   std::unique_ptr<image_transport::ImageTransport> images_;
   image_transport::Subscriber left_image_;
   image_transport::Subscriber right_image_;

@@ -66,10 +66,12 @@ bool Outputs::AnyWanted() const {
          std::any_of(images_.begin(), images_.end(), IsWanted<image_transport::Publisher>);
 }
 
-void Outputs::PublishMaps(const MatchedFrame& frame) const {
+void Outputs::PublishMaps(const MatchedFrame& frame) {
   const MatchResult& result = frame.result;
   if (IsWanted(disparity_)) {
-    disparity_.publish(ToDisparityImage(result, frame.options, frame.camera, frame.header));
+    const stereo_msgs::DisparityImagePtr message = disparities_.Get();
+    FillDisparityImage(result, frame.options, frame.camera, frame.header, message.get());
+    disparity_.publish(message);
   }
   for (std::size_t i = 0; i < images_.size(); ++i) {
     if (!IsWanted(images_[i])) continue;
@@ -85,10 +87,13 @@ void Outputs::PublishMaps(const MatchedFrame& frame) const {
 
 void Outputs::PublishCloud(const MatchedFrame& frame, const cv::Mat& image,
                            const CloudStreamOptions& options) {
-  ComputePointCloud(frame.result, frame.camera, image, CloudOptions(), &points_);
   if (options.Organised()) {
-    cloud_.publish(ToPointCloud2(points_, {options.compact, false}, frame.header));
+    const sensor_msgs::PointCloud2Ptr message = clouds_.Get();
+    FillPointCloud2(CloudRows(frame.result, frame.camera, image, CloudOptions()), options.compact,
+                    frame.header, message.get());
+    cloud_.publish(message);
   } else {
+    ComputePointCloud(frame.result, frame.camera, image, CloudOptions(), &points_);
     const PointCloud filtered = FilterCloud(points_, options.filter);
     cloud_.publish(ToPointCloud2(filtered, {options.compact, true}, frame.header));
   }

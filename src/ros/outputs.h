@@ -7,10 +7,13 @@
 #include <image_transport/image_transport.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <stereo_msgs/DisparityImage.h>
 #include <opencv2/core.hpp>
 
 #include "ros/map_images.h"
 #include "ros/matched_frame.h"
+#include "ros/message_pool.h"
 #include "ros/stream_options.h"
 #include "stereo_sgmp/Statistics.h"
 #include "stereo_sgmp/point_cloud.h"
@@ -34,9 +37,10 @@ class Outputs {
   }
 
   // Everything but the cloud, the baseline and the statistics.
-  void PublishMaps(const MatchedFrame& frame) const;
+  void PublishMaps(const MatchedFrame& frame);
 
-  // Coloured by `image`, of the size of the left one: 8 or 16 bit, gray, BGR or BGRA.
+  // Coloured by `image`, of the size of the left one: 8 or 16 bit, gray, BGR or BGRA. May run
+  // beside the others, but not beside itself.
   void PublishCloud(const MatchedFrame& frame, const cv::Mat& image,
                     const CloudStreamOptions& options);
 
@@ -54,7 +58,9 @@ class Outputs {
   ros::Publisher statistics_;
   image_transport::Publisher baseline_color_;
   std::array<image_transport::Publisher, kMapImageCount> images_;  // as MapImages()
-  PointCloud points_;                                              // kept for its memory
+  MessagePool<stereo_msgs::DisparityImage> disparities_;
+  MessagePool<sensor_msgs::PointCloud2> clouds_;
+  PointCloud points_;  // kept for its memory
 };
 
 }  // namespace stereo_sgmp

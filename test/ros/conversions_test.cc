@@ -111,6 +111,29 @@ TEST(DisparityImage, WindowHoldsThePixelsThatCanMatch) {
   EXPECT_EQ(window(200, 16).width, 0u);
 }
 
+// In place of what a message of another frame left behind.
+TEST(PointCloud2, IsFilledRowByRowAsFromAWholeCloud) {
+  const MatchResult result = MakeResult();
+  cv::Mat image(result.dense.size(), CV_8UC3);
+  cv::randu(image, 0, 256);
+  PointCloud cloud;
+  ComputePointCloud(result, MakeCamera(), image, CloudOptions(), &cloud);
+  for (const bool compact : {false, true}) {
+    const auto expected = ToPointCloud2(cloud, {compact, false}, MakeHeader());
+    sensor_msgs::PointCloud2 message;
+    message.data.assign(1000, 0xAB);
+    message.is_dense = true;
+    FillPointCloud2(CloudRows(result, MakeCamera(), image, CloudOptions()), compact, MakeHeader(),
+                    &message);
+    EXPECT_EQ(message.width, expected->width);
+    EXPECT_EQ(message.height, expected->height);
+    EXPECT_EQ(message.row_step, expected->row_step);
+    EXPECT_EQ(message.fields, expected->fields);
+    EXPECT_FALSE(message.is_dense);
+    EXPECT_EQ(message.data, expected->data);
+  }
+}
+
 TEST(PointCloud2, IsOrganisedAndPacked) {
   PointCloud cloud;
   cloud.width = 2;

@@ -49,14 +49,8 @@ class SoakTest(unittest.TestCase):
         print("%d frames, %s; resident memory %.1f MB after %.0f s, %.1f MB after %.0f s"
               % (frames, counts, before / 1e6, warm_up, after / 1e6, seconds))
         self.assertLess(after, before + 10e6)
-        # A busy machine loses frames, but no output ends.
-        for topic in list(counts):
-            seen = counts[topic]
-
-            def goes_on():
-                self.stream(camera, 0.5)
-                return counts[topic] > seen
-            rig.wait_until(goes_on, "%s has ended" % topic)
+        for topic, count in counts.items():
+            self.assertGreater(count, frames / 4, topic)
 
 
 if __name__ == "__main__":
