@@ -21,6 +21,11 @@ struct MatchInputs {
   // towards the camera; zero or not finite where they are not known.
   cv::Mat normals;
 
+  // Where depth is known to be discontinuous (kGni, kGnv): CV_8U, not 0 at both pixels beside the
+  // discontinuity; may be empty. Without it, or besides it, surfaces are taken to end where
+  // normals change abruptly.
+  cv::Mat discontinuities;
+
   // The camera of the pair (kGni, kGnv, kMw).
   std::optional<StereoCamera> camera;
 

@@ -29,6 +29,11 @@ constexpr std::size_t kImageBytesPerPixel = 82;
 // before too, and what they are integrated to.
 constexpr std::size_t kNormalsBytesPerPixel = 3 * (sizeof(float) + sizeof(std::int32_t));
 
+// What is added where the surfaces are placed: the placed surface, and rounded; and per coarse
+// pixel its component and its votes.
+constexpr std::size_t kPlacedBytesPerPixel = sizeof(float) + sizeof(std::int16_t);
+constexpr std::size_t kPlacementBytesPerCoarsePixel = 40;
+
 // Bytes per coarse pixel of a Manhattan world: 15 masks of lines and what they sweep, the
 // orientation map, and the areas of its planes, of which a few overlap.
 constexpr std::size_t kManhattanBytesPerPixel = 32;
@@ -62,8 +67,10 @@ std::size_t PriorMemory(Variant variant, const VolumeShape& full, const VolumeSh
     case Variant::kGp:
       return Pixels(coarse) * (sizeof(float) + sizeof(std::uint8_t));  // shrunk, and where known
     case Variant::kGni:
-    case Variant::kGnv:
       return Pixels(full) * kNormalsBytesPerPixel;
+    case Variant::kGnv:
+      return Pixels(full) * (kNormalsBytesPerPixel + kPlacedBytesPerPixel) +
+             Pixels(coarse) * kPlacementBytesPerCoarsePixel;
     case Variant::kMw:
       return Pixels(coarse) * kManhattanBytesPerPixel;
     case Variant::kSgm:

@@ -11,12 +11,16 @@
 namespace stereo_sgmp {
 namespace {
 
+const char* EntryOf(int type) {
+  if (type == CV_8UC1) return "one byte";
+  return type == CV_32FC3 ? "three floats" : "one float";
+}
+
 void CheckMap(Variant variant, const char* name, const cv::Mat& map, int type, cv::Size size) {
   if (map.type() == type && map.size() == size) return;
   std::ostringstream text;
-  text << "prior/variant " << NameOf(variant) << " needs a " << name << " of "
-       << (type == CV_32FC3 ? "three floats" : "one float") << " per pixel of the left image, "
-       << size.width << "x" << size.height << "; ";
+  text << "prior/variant " << NameOf(variant) << " needs a " << name << " of " << EntryOf(type)
+       << " per pixel of the left image, " << size.width << "x" << size.height << "; ";
   if (map.empty()) {
     text << "none was given. Pass one, or choose sgm, epi, epv or mw";
   } else {
@@ -66,6 +70,9 @@ void CheckInputs(Variant variant, const MatchInputs& inputs, cv::Size size) {
     case Variant::kGni:
     case Variant::kGnv:
       CheckMap(variant, "normal map", inputs.normals, CV_32FC3, size);
+      if (!inputs.discontinuities.empty()) {
+        CheckMap(variant, "map of discontinuities", inputs.discontinuities, CV_8UC1, size);
+      }
       return CheckCamera(variant, inputs);
     case Variant::kMw:
       return CheckCamera(variant, inputs);
@@ -100,7 +107,8 @@ PathPrior PriorStage::Make(const PriorOptions& options, const MatchInputs& input
   if (options.variant == Variant::kSgm) return {};
   if (options.variant == Variant::kGs) return FromSurface(inputs.surface, shape);
   return Trusted(normals_.Build({options.variant == Variant::kGnv, options.gni_disparity},
-                                inputs.normals, cv::Mat(), *inputs.camera, shape, pool));
+                                inputs.normals, inputs.discontinuities, *inputs.camera,
+                                {coarse.disparity(), coarse.confident()}, shape, pool));
 }
 
 PathPrior PriorStage::FromPlanes(const PriorOptions& options, const CoarseDisparity& coarse,

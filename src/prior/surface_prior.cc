@@ -9,7 +9,6 @@
 namespace stereo_sgmp {
 namespace {
 
-constexpr std::int16_t kUnknown = INT16_MIN;
 // Far outside of any search range; keeps S^ apart from kUnknown.
 constexpr float kLargest = 32000.0F;
 
@@ -46,13 +45,8 @@ void SurfacePrior::Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* 
   const std::int16_t* at_q = rounded_[y];
   const int inside_begin = std::max(x_begin, step.dx);
   const int inside_end = std::min(x_end, shape_.width + step.dx);
-  const int limit = shape_.disparities;
   for (int x = inside_begin; x < inside_end; ++x) {
-    const std::int16_t p = at_p[x - step.dx];
-    const std::int16_t q = at_q[x];
-    if (p == kUnknown || q == kUnknown) continue;
-    row->jump[static_cast<std::size_t>(x - x_begin)] =
-        static_cast<std::int16_t>(std::clamp(q - p, -limit, limit));
+    row->jump[static_cast<std::size_t>(x - x_begin)] = Jump(at_p[x - step.dx], at_q[x]);
   }
 }
 

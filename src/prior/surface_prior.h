@@ -2,6 +2,7 @@
 #ifndef STEREO_SGMP_PRIOR_SURFACE_PRIOR_H_
 #define STEREO_SGMP_PRIOR_SURFACE_PRIOR_H_
 
+#include <algorithm>
 #include <cstdint>
 
 #include <opencv2/core.hpp>
@@ -20,10 +21,21 @@ class SurfacePrior : public OrientationPrior {
   void Assign(const cv::Mat& surface, const VolumeShape& shape);
 
   void Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* row) const override;
+  // The jump of one step, which starts and ends within the image.
+  std::int16_t JumpTo(int x, int y, PathStep step) const {
+    return Jump(rounded_(y - step.dy, x - step.dx), rounded_(y, x));
+  }
 
  private:
+  static constexpr std::int16_t kUnknown = INT16_MIN;
+
+  std::int16_t Jump(std::int16_t p, std::int16_t q) const {
+    if (p == kUnknown || q == kUnknown) return 0;
+    return static_cast<std::int16_t>(std::clamp(q - p, -shape_.disparities, shape_.disparities));
+  }
+
   VolumeShape shape_;
-  cv::Mat_<std::int16_t> rounded_;  // S^
+  cv::Mat_<std::int16_t> rounded_;  // S^, or kUnknown
 };
 
 }  // namespace stereo_sgmp

@@ -1,9 +1,11 @@
 #include "tools/match_input_flags.h"
 
 #include <stdexcept>
+#include <string>
 
 #include "io/cost_volume_file.h"
 #include "io/disparity_file.h"
+#include "io/image.h"
 #include "io/normals_file.h"
 
 namespace stereo_sgmp {
@@ -50,14 +52,32 @@ void MatchInputFlags::AddTo(CLI::App* app, CLI::Option* calib) {
       ->needs(surface)
       ->needs(calib)
       ->excludes(scale);
-  app->add_option("--normals", normals_,
-                  "Unit normals, for --variant gni and gnv: .pfm of three channels, x right, y "
-                  "down, z forward; zero or nan: unknown");
+  CLI::Option* normals =
+      app->add_option("--normals", normals_,
+                      "Unit normals, for --variant gni and gnv: .pfm of three channels, x right, y "
+                      "down, z forward; zero or nan: unknown");
+  app->add_option("--discontinuities", discontinuities_,
+                  "Where depth is known to jump, for --normals: picture of 8 bit gray, not 0 at "
+                  "both pixels beside a jump. Without it, only where normals change abruptly")
+      ->needs(normals);
 }
 
 cv::Mat MatchInputFlags::LoadSurface(const LoadedPair& pair) const {
   return surface_is_depth_ ? ReadDepthAsDisparity(surface_, pair.calibration->camera)
                            : ReadDisparity(surface_, scale_);
+}
+
+cv::Mat MatchInputFlags::LoadDiscontinuities(const LoadedPair& pair) const {
+  const cv::Mat map = LoadImage(discontinuities_);
+  if (map.type() != CV_8UC1) {
+    throw std::invalid_argument(discontinuities_ +
+                                ": discontinuities in depth are expected as a picture of 8 bit "
+                                "gray; this one has " +
+                                std::to_string(map.channels()) + " channels of " +
+                                std::to_string(8 * map.elemSize1()) + " bit.");
+  }
+  CheckSize(discontinuities_, map.size(), pair);
+  return map;
 }
 
 LoadedInputs MatchInputFlags::Load(const LoadedPair& pair, const Options& options,
@@ -72,6 +92,7 @@ LoadedInputs MatchInputFlags::Load(const LoadedPair& pair, const Options& option
     loaded.inputs.normals = ReadNormals(normals_);
     CheckSize(normals_, loaded.inputs.normals.size(), pair);
   }
+  if (!discontinuities_.empty()) loaded.inputs.discontinuities = LoadDiscontinuities(pair);
   if (!cost_volume.empty()) {
     loaded.costs = LoadCosts(cost_volume, pair, options);
     loaded.inputs.costs = loaded.costs.get();

@@ -19,7 +19,7 @@ struct LoadedInputs {
 };
 
 // The flags for what is known of a pair beyond its images: --prior-surface, --prior-scale,
-// --prior-depth and --normals. Must outlive the parsing.
+// --prior-depth, --normals and --discontinuities. Must outlive the parsing.
 class MatchInputFlags {
  public:
   // `calib` is the flag that gives the camera.
@@ -33,11 +33,13 @@ class MatchInputFlags {
 
  private:
   cv::Mat LoadSurface(const LoadedPair& pair) const;
+  cv::Mat LoadDiscontinuities(const LoadedPair& pair) const;
 
   std::string surface_;
   double scale_ = 0.0;
   bool surface_is_depth_ = false;
   std::string normals_;
+  std::string discontinuities_;
 };
 
 }  // namespace stereo_sgmp

@@ -143,6 +143,10 @@ TEST(MatchInputsTest, WhatDoesNotFitIsNamedWithWhatIsExpected) {
   EXPECT_THAT(ErrorOf(OptionsOf(Variant::kGnv), inputs),
               AllOf(HasSubstr("variant gnv"), HasSubstr("three floats"), HasSubstr("type 5")));
   inputs = TrueInputs(Corridor());
+  inputs.discontinuities = cv::Mat(10, 10, CV_8U);
+  EXPECT_THAT(ErrorOf(OptionsOf(Variant::kGnv), inputs),
+              AllOf(HasSubstr("discontinuities"), HasSubstr("one byte"), HasSubstr("10x10")));
+  inputs = TrueInputs(Corridor());
   inputs.camera->baseline = 0.0;
   EXPECT_THAT(ErrorOf(OptionsOf(Variant::kMw), inputs), HasSubstr("baseline"));
 }

@@ -248,9 +248,12 @@ TEST(MatcherTest, TheMemoryIsThatOfTheVariantAndOfOwnCosts) {
   EXPECT_GT(EstimateMemory(options, size), plain);
   options.prior.variant = Variant::kGs;
   EXPECT_EQ(EstimateMemory(options, size), plain + pixels * 2);
-  options.prior.variant = Variant::kGnv;
+  options.prior.variant = Variant::kGni;
   // A float and a number per pixel, three times.
   EXPECT_EQ(EstimateMemory(options, size), plain + pixels * 24);
+  options.prior.variant = Variant::kGnv;
+  // A float, rounded too, and 40 bytes per pixel of a coarse image of half the size.
+  EXPECT_EQ(EstimateMemory(options, size), plain + pixels * (24 + 6) + pixels / 4 * 40);
 }
 
 TEST(MatcherTest, AnErrorLeavesTheMatcherUsable) {

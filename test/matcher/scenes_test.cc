@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "scene/generated_scene.h"
@@ -27,18 +28,37 @@ double BadShare(const GeneratedScene& scene, const cv::Mat& disparity, double th
   return static_cast<double>(bad) / seen;
 }
 
-MatchResult MatchScene(const GeneratedScene& scene, Options options) {
+MatchResult MatchScene(const GeneratedScene& scene, Options options,
+                       const MatchInputs& inputs = {}) {
   options.num_disparities = scene.num_disparities;
   Matcher matcher(options);
   MatchResult result;
-  matcher.Match(scene.left, scene.right, &result);
+  matcher.Match(scene.left, scene.right, inputs, &result);
   return result;
 }
 
-double RawBad(const GeneratedScene& scene, Variant variant, double threshold) {
+double RawBad(const GeneratedScene& scene, Variant variant, double threshold,
+              const MatchInputs& inputs = {}) {
   Options options;
   options.prior.variant = variant;
-  return BadShare(scene, MatchScene(scene, options).raw, threshold);
+  return BadShare(scene, MatchScene(scene, options, inputs).raw, threshold);
+}
+
+// Both pixels beside steps of more than a disparity.
+cv::Mat Discontinuities(const cv::Mat& disparity) {
+  cv::Mat marked(disparity.size(), CV_8U, cv::Scalar(0));
+  const auto mark = [&](cv::Point p, cv::Point q) {
+    if (std::abs(disparity.at<float>(p) - disparity.at<float>(q)) <= 1.0F) return;
+    marked.at<std::uint8_t>(p) = 255;
+    marked.at<std::uint8_t>(q) = 255;
+  };
+  for (int y = 1; y < disparity.rows; ++y) {
+    for (int x = 1; x < disparity.cols; ++x) {
+      mark({x - 1, y}, {x, y});
+      mark({x, y - 1}, {x, y});
+    }
+  }
+  return marked;
 }
 
 TEST(ScenesTest, PriorsHalveTheErrorsOnWeaklyTexturedSlants) {
@@ -54,6 +74,28 @@ TEST(ScenesTest, PriorsDoNoHarmOnFrontoParallelSurfaces) {
   const double sgm = RawBad(scene, Variant::kSgm, 1.0);
   EXPECT_LT(RawBad(scene, Variant::kEpi, 1.0), sgm * 1.03 + 1e-3);
   EXPECT_LT(RawBad(scene, Variant::kEpv, 1.0), sgm * 1.03 + 1e-3);
+}
+
+// Its bars cut the walls behind into strips. How far they stand before the walls is not in the
+// normals: following these alone removes a seventh of the errors in place of a third.
+TEST(ScenesTest, NormalsLeadAcrossTheBarsOfAFence) {
+  const GeneratedScene scene = MakeScene(SceneKind::kFence, {640, 440}, 64, {}, 4);
+  MatchInputs inputs;
+  inputs.normals = scene.normals;
+  inputs.camera = scene.camera;
+  const double sgm = RawBad(scene, Variant::kSgm, 2.0);
+  EXPECT_LT(RawBad(scene, Variant::kGnv, 2.0, inputs), 0.8 * sgm);
+}
+
+// All surfaces have one normal, which does not show where one ends.
+TEST(ScenesTest, KnownDiscontinuitiesHelpNormals) {
+  const GeneratedScene scene = MakeScene(SceneKind::kFrontoParallel, {480, 320}, 64, {}, 2);
+  MatchInputs inputs;
+  inputs.normals = scene.normals;
+  inputs.camera = scene.camera;
+  const double unknown = RawBad(scene, Variant::kGnv, 1.0, inputs);
+  inputs.discontinuities = Discontinuities(scene.disparity);
+  EXPECT_LT(RawBad(scene, Variant::kGnv, 1.0, inputs), 0.85 * unknown);
 }
 
 TEST(ScenesTest, TexturedSlantsAreMatchedToAFractionOfAPixel) {

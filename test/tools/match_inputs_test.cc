@@ -92,6 +92,19 @@ TEST_F(MatchInputsTest, RefusesNormalsThatDoNotFit) {
   ExpectRefused(normals + Path("l.pfm"), "length 2");
 }
 
+TEST_F(MatchInputsTest, TakesKnownDiscontinuities) {
+  WritePfm(Path("n.pfm"), cv::Mat(kSize, CV_32FC3, cv::Scalar(0, 0, -1)));
+  const std::string normals = "--variant gnv" + Calib() + " --normals " + Path("n.pfm");
+  const std::string flag = " --discontinuities ";
+  SaveImage(Path("m.png"), cv::Mat(kSize, CV_8U, cv::Scalar(0)));
+  ExpectTaken(normals + flag + Path("m.png"));
+  SaveImage(Path("s.png"), cv::Mat(8, 9, CV_8U, cv::Scalar(0)));
+  ExpectRefused(normals + flag + Path("s.png"), "9 x 8 pixels, but the images have 96 x 48");
+  SaveImage(Path("c.png"), cv::Mat(kSize, CV_8UC3, cv::Scalar(0)));
+  ExpectRefused(normals + flag + Path("c.png"), "3 channels of 8 bit");
+  ExpectRefused("--variant sgm" + flag + Path("m.png"), "--normals");
+}
+
 TEST_F(MatchInputsTest, RefusesCostVolumesThatAreNone) {
   const std::string bytes(static_cast<std::size_t>(kSize.area() * kDisparities * 4), '\0');
   const auto refuse = [&](const std::string& content, const std::string& message) {

@@ -1,6 +1,5 @@
 #include "prior/normals/cell_integrator.h"
 
-#include <cmath>
 #include <cstddef>
 
 #include <Eigen/IterativeLinearSolvers>
@@ -9,17 +8,6 @@
 namespace stereo_sgmp {
 namespace {
 
-// Larger steps of log(d + doffs) between neighbours are no surface that stereo could follow: half
-// of the disparity within two pixels.
-constexpr double kLargestStep = 0.35;
-// Surfaces seen under a smaller cosine are edge-on; g is the quotient of two such small numbers.
-constexpr double kSmallestCosine = 0.01;
-// Radians; normals that differ by more belong to a crease, a discontinuity or a rim, beside which g
-// is a guess. There the weight falls as of a Geman-McClure penalty, so that errors end up where
-// surfaces meet and not within them: in a room with boxes 0.2 % of the slopes were off by more than
-// 0.02 px per pixel instead of 5.7 %. Weighing the edges again by the residuals of a first solution
-// gained nothing beyond that.
-constexpr double kTrustedAngle = 0.15;
 // Of the residual. The start is exact where the normals are consistent; with noise of 3 degrees a
 // tolerance of 1e-6 took four times the iterations and changed the slopes' mean error by 5 %.
 constexpr double kTolerance = 1e-3;
@@ -37,31 +25,19 @@ std::size_t Slot(int pixel) { return static_cast<std::size_t>(pixel); }
 
 }  // namespace
 
-void CellIntegrator::Integrate(const cv::Rect& cell, IntegratedNormals* result) {
+void CellIntegrator::Integrate(const cv::Rect& cell, int index, IntegratedNormals* result) {
   cell_ = cell;
   LoadPixels();
   ConnectPixels();
   FloodComponents();
   Solve();
-  Store(result);
+  Store(index, result);
 }
 
 void CellIntegrator::LoadPixels() {
-  pixels_.assign(Slot(cell_.area()), Pixel());
-  int index = 0;
+  pixels_.clear();
   for (int y = cell_.y; y < cell_.y + cell_.height; ++y) {
-    for (int x = cell_.x; x < cell_.x + cell_.width; ++x, ++index) {
-      Pixel& pixel = pixels_[Slot(index)];
-      const auto& given = normals_.at<cv::Vec3f>(y, x);
-      const Eigen::Vector3d normal(given[0], given[1], given[2]);
-      const double length = normal.norm();
-      pixel.ray = {(x - camera_.cx) / camera_.focal_length, (y - camera_.cy) / camera_.focal_length,
-                   1.0};
-      pixel.at_discontinuity = !discontinuities_.empty() && discontinuities_.at<uchar>(y, x) != 0;
-      if (!(length > 0.0) || !std::isfinite(length)) continue;
-      const double cosine = std::abs(normal.dot(pixel.ray)) / (length * pixel.ray.norm());
-      if (cosine >= kSmallestCosine) pixel.normal = normal / length;
-    }
+    for (int x = cell_.x; x < cell_.x + cell_.width; ++x) pixels_.push_back(field_.At(x, y));
   }
 }
 
@@ -69,40 +45,32 @@ void CellIntegrator::ConnectPixels() {
   edges_.assign(pixels_.size(), {});
   for (int y = 0, index = 0; y < cell_.height; ++y) {
     for (int x = 0; x < cell_.width; ++x, ++index) {
-      const Pixel& p = pixels_[Slot(index)];
-      std::array<Edge, 2>& edges = edges_[Slot(index)];
-      if (x + 1 < cell_.width) edges[kRight] = Connect(p, pixels_[Slot(index + 1)]);
-      if (y + 1 < cell_.height) edges[kDown] = Connect(p, pixels_[Slot(index + cell_.width)]);
+      const NormalField::Pixel& p = pixels_[Slot(index)];
+      std::array<NormalField::Step, 2>& edges = edges_[Slot(index)];
+      if (x + 1 < cell_.width) {
+        edges[kRight] = NormalField::Between(p, pixels_[Slot(index + 1)]);
+      }
+      if (y + 1 < cell_.height) {
+        edges[kDown] = NormalField::Between(p, pixels_[Slot(index + cell_.width)]);
+      }
     }
   }
-}
-
-CellIntegrator::Edge CellIntegrator::Connect(const Pixel& p, const Pixel& q) {
-  if (p.at_discontinuity && q.at_discontinuity) return {};
-  const double by_p = p.normal.dot(q.ray) / p.normal.dot(p.ray);
-  const double by_q = q.normal.dot(q.ray) / q.normal.dot(p.ray);
-  if (!(by_p > 0.0 && by_q > 0.0)) return {};  // nan, too
-  const double step = 0.5 * std::log(by_p * by_q);
-  if (!(std::abs(step) <= kLargestStep)) return {};
-  const double angle = (p.normal - q.normal).norm() / kTrustedAngle;
-  const double root = 1.0 / (1.0 + angle * angle);
-  return {step, root * root};
 }
 
 std::array<CellIntegrator::Link, 4> CellIntegrator::LinksOf(int pixel) const {
   std::array<Link, 4> links;
   const int x = pixel % cell_.width;
   if (pixel >= cell_.width) {
-    const Edge& edge = edges_[Slot(pixel - cell_.width)][kDown];
-    links[0] = {pixel - cell_.width, -edge.step, edge.weight};
+    const NormalField::Step& edge = edges_[Slot(pixel - cell_.width)][kDown];
+    links[0] = {pixel - cell_.width, -edge.delta, edge.weight};
   }
   if (x > 0) {
-    const Edge& edge = edges_[Slot(pixel - 1)][kRight];
-    links[1] = {pixel - 1, -edge.step, edge.weight};
+    const NormalField::Step& edge = edges_[Slot(pixel - 1)][kRight];
+    links[1] = {pixel - 1, -edge.delta, edge.weight};
   }
-  const std::array<Edge, 2>& edges = edges_[Slot(pixel)];
-  links[2] = {pixel + 1, edges[kRight].step, edges[kRight].weight};
-  links[3] = {pixel + cell_.width, edges[kDown].step, edges[kDown].weight};
+  const std::array<NormalField::Step, 2>& edges = edges_[Slot(pixel)];
+  links[2] = {pixel + 1, edges[kRight].delta, edges[kRight].weight};
+  links[3] = {pixel + cell_.width, edges[kDown].delta, edges[kDown].weight};
   return links;
 }
 
@@ -158,7 +126,7 @@ void CellIntegrator::Solve() {
   delta = solver.solveWithGuess(right_side, delta);
 }
 
-void CellIntegrator::Store(IntegratedNormals* result) {
+void CellIntegrator::Store(int index, IntegratedNormals* result) {
   std::vector<double> sum(pixels_.size(), 0.0);
   std::vector<int> count(pixels_.size(), 0);
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
@@ -173,9 +141,7 @@ void CellIntegrator::Store(IntegratedNormals* result) {
     const int x = cell_.x + i % cell_.width;
     result->log_disparity(y, x) =
         static_cast<float>(delta_[Slot(i)] - sum[Slot(seed)] / count[Slot(seed)]);
-    const int seed_y = cell_.y + seed / cell_.width;
-    const int seed_x = cell_.x + seed % cell_.width;
-    result->component(y, x) = 1 + seed_y * result->component.cols + seed_x;
+    result->component(y, x) = 1 + index * IntegratedNormals::kCellArea + seed;
   }
 }
 

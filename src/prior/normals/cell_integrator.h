@@ -4,38 +4,25 @@
 #include <array>
 #include <vector>
 
-#include <Eigen/Core>
 #include <opencv2/core.hpp>
 
+#include "prior/normals/normal_field.h"
 #include "prior/normals/normal_integration.h"
-#include "stereo_sgmp/stereo_camera.h"
 
 namespace stereo_sgmp {
 
-// Integrates the normals of one grid cell after the other; keeps its storage between cells. Between
-// neighbours p and q on a plane n.X = h, the paper's d + doffs = (b/h) n.(u, v, f) (Eq. 15) gives
-//   delta_q - delta_p = g = log[n.(u_q, v_q, f) / n.(u_p, v_p, f)],
-// whatever h; g is the mean over n in {n_p, n_q}. Minimises sum w (delta_q - delta_p - g)^2.
+// Integrates the normals of one grid cell after the other; keeps its storage between cells.
+// Minimises sum w (delta_q - delta_p - g)^2 over neighbours p and q, with g and w as of
+// NormalField::Between.
 class CellIntegrator {
  public:
-  // The arguments of IntegrateNormals, checked; they have to outlive the integrator.
-  CellIntegrator(const cv::Mat& normals, const cv::Mat& discontinuities, const StereoCamera& camera)
-      : normals_(normals), discontinuities_(discontinuities), camera_(camera) {}
+  // The field has to outlive the integrator.
+  explicit CellIntegrator(const NormalField& field) : field_(field) {}
 
-  // Writes the pixels of `cell`.
-  void Integrate(const cv::Rect& cell, IntegratedNormals* result);
+  // Writes the pixels of `cell`, the `index`-th of the grid.
+  void Integrate(const cv::Rect& cell, int index, IntegratedNormals* result);
 
  private:
-  struct Pixel {
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // unit length; zero where unknown
-    Eigen::Vector3d ray = Eigen::Vector3d::Zero();     // (u, v, f) / f
-    bool at_discontinuity = false;
-  };
-  // From a pixel to its right or lower neighbour.
-  struct Edge {
-    double step = 0.0;    // g
-    double weight = 0.0;  // w; 0 where the surface isn't continued
-  };
   enum Axis { kRight, kDown };
   // An edge as met from one of its ends; `step` is that to the neighbour.
   struct Link {
@@ -46,21 +33,19 @@ class CellIntegrator {
 
   void LoadPixels();
   void ConnectPixels();
-  static Edge Connect(const Pixel& p, const Pixel& q);
   // To the neighbours above, left, right and below; of weight 0 where there is none.
   std::array<Link, 4> LinksOf(int pixel) const;
   // Finds the components, and the start of the solution by adding the steps on the way.
   void FloodComponents();
   void Flood(int seed);
   void Solve();
-  void Store(IntegratedNormals* result);
+  void Store(int index, IntegratedNormals* result);
 
-  const cv::Mat& normals_;
-  const cv::Mat& discontinuities_;
-  const StereoCamera& camera_;
+  const NormalField& field_;
   cv::Rect cell_;
-  std::vector<Pixel> pixels_;               // of the cell, row by row
-  std::vector<std::array<Edge, 2>> edges_;  // by pixel and Axis
+  std::vector<NormalField::Pixel> pixels_;  // of the cell, row by row
+  // By pixel and Axis: from a pixel to its right or lower neighbour.
+  std::vector<std::array<NormalField::Step, 2>> edges_;
   std::vector<int> seed_;  // first pixel of the pixel's component; -1 where unknown
   std::vector<double> delta_;
   std::vector<int> reached_;

@@ -2,6 +2,8 @@
 #ifndef STEREO_SGMP_PRIOR_NORMALS_NORMAL_INTEGRATION_H_
 #define STEREO_SGMP_PRIOR_NORMALS_NORMAL_INTEGRATION_H_
 
+#include <vector>
+
 #include <opencv2/core.hpp>
 
 #include "common/thread_pool.h"
@@ -14,8 +16,23 @@ namespace stereo_sgmp {
 // neighbours with known normals connects them within one cell of a grid: as in the paper's
 // supplement each cell is integrated by itself.
 struct IntegratedNormals {
+  // Side and area of the largest cells, pixels.
+  static constexpr int kCellSize = 64;
+  static constexpr int kCellArea = kCellSize * kCellSize;
+  // The cell that a component > 0 lies in.
+  static int CellOf(int component) { return (component - 1) / kCellArea; }
+
+  // A surface that goes on from component `from` to `to` of the next cell, where it has
+  // delta + `offset` on the scale of `from`.
+  struct Continuation {
+    int from = 0;
+    int to = 0;
+    double offset = 0.0;
+  };
+
   cv::Mat_<float> log_disparity;  // delta with mean 0 over each component; 0 where unknown
   cv::Mat_<int> component;        // > 0, the same in all pixels of a component; 0 where unknown
+  std::vector<Continuation> continuations;  // both ways, in rising order of `from` and `to`
 };
 
 // `normals`: CV_32FC3, in the camera's frame (x right, y down, z forward); zero or not finite

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "prior/normals/surface_placement.h"
 #include "prior/segment_writer.h"
 
 namespace stereo_sgmp {
@@ -31,8 +32,10 @@ int Floor(float value) {
 
 }  // namespace
 
-void NormalPrior::Assign(SurfaceFamily family, const VolumeShape& shape) {
+void NormalPrior::Assign(SurfaceFamily family, const cv::Mat& placed, const VolumeShape& shape) {
   CheckSize(family.shape.size(), shape);
+  placed_.reset();
+  if (!placed.empty()) placed_.emplace().Assign(placed, shape);
   shape_ = shape;
   family_ = std::move(family);
 }
@@ -58,6 +61,22 @@ void NormalPrior::Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* r
     FindReached(stretch, &steps);
     Follow(stretch, &steps);
     Write(stretch, steps, row);
+  }
+  if (!placed_) return;
+  CrossBorders(y, inside_begin, inside_end, step, row->jump.data() + (inside_begin - x_begin));
+}
+
+// `jump` is that of the pixel x_begin.
+void NormalPrior::CrossBorders(int y, int x_begin, int x_end, PathStep step,
+                               std::int16_t* jump) const {
+  const int* at_p = family_.component[y - step.dy];
+  const int* at_q = family_.component[y];
+  for (int x = x_begin; x < x_end; ++x, ++jump) {
+    const int p = at_p[x - step.dx];
+    const int q = at_q[x];
+    if (p == q || p == 0 || q == 0) continue;
+    if (IntegratedNormals::CellOf(p) != IntegratedNormals::CellOf(q)) continue;
+    *jump = placed_->JumpTo(x, y, step);
   }
 }
 
@@ -154,16 +173,19 @@ const OrientationPrior* NormalPriorBuilder::Build(const NormalPriorSettings& set
                                                   const cv::Mat& normals,
                                                   const cv::Mat& discontinuities,
                                                   const StereoCamera& camera,
+                                                  const CoarseDisparity& coarse,
                                                   const VolumeShape& shape, ThreadPool* pool) {
   CheckSize(normals.size(), shape);
   const IntegratedNormals integrated = IntegrateNormals(normals, discontinuities, camera, pool);
-  const double middle = shape.min_disparity + 0.5 * (shape.disparities - 1);
-  prior_.Assign(
-      settings.all_depths
-          ? SurfacesAtAllDepths(integrated, camera.doffs, shape.min_disparity, shape.disparities)
-          : SurfaceAtDepth(integrated, camera.doffs,
-                           settings.disparity != 0.0 ? settings.disparity : middle),
-      shape);
+  if (settings.all_depths) {
+    prior_.Assign(
+        SurfacesAtAllDepths(integrated, camera.doffs, shape.min_disparity, shape.disparities),
+        PlaceSurfaces(integrated, coarse, camera.doffs, pool), shape);
+  } else {
+    const double middle = shape.min_disparity + 0.5 * (shape.disparities - 1);
+    const double disparity = settings.disparity != 0.0 ? settings.disparity : middle;
+    prior_.Assign(SurfaceAtDepth(integrated, camera.doffs, disparity), cv::Mat(), shape);
+  }
   return &prior_;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include <opencv2/core.hpp>
 
@@ -12,18 +13,22 @@
 #include "cost/cost_rows.h"
 #include "prior/normals/surface_family.h"
 #include "prior/orientation_prior.h"
+#include "prior/plane_hypotheses.h"
+#include "prior/surface_prior.h"
 #include "stereo_sgmp/stereo_camera.h"
 
 namespace stereo_sgmp {
 
 // Jumps along the surfaces of a family (paper, Sec. 3.3), with S^ = floor(S + 1/2):
 //   j_p(d) = S^_k(q) - S^_k(p), k = argmin |S^_k(p) - d|, the lower k where two are as near;
-// 0 where p and q are not of one component. Limited to +- the number of disparities. A family of
-// one surface makes a 2D prior.
+// Limited to +- the number of disparities. A family of one surface makes a 2D prior. Where p and q
+// are of two components of one cell, between which normals say nothing, all disparities take the
+// jump of the placed surface; 0 without one, and from cell to cell.
 class NormalPrior : public OrientationPrior {
  public:
-  // Throws std::invalid_argument where the family is not of the size of `shape`.
-  void Assign(SurfaceFamily family, const VolumeShape& shape);
+  // `placed`, if not empty, as of PlaceSurfaces. Throws std::invalid_argument where the family or
+  // the surface is not of the size of `shape`.
+  void Assign(SurfaceFamily family, const cv::Mat& placed, const VolumeShape& shape);
 
   void Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* row) const override;
 
@@ -50,6 +55,7 @@ class NormalPrior : public OrientationPrior {
   };
 
   static bool Join(const int* component_p, const int* component_q, Stretch* stretch);
+  void CrossBorders(int y, int x_begin, int x_end, PathStep step, std::int16_t* jump) const;
   void FindReached(const Stretch& stretch, Steps* steps) const;
   void Follow(const Stretch& stretch, Steps* steps) const;
   void Write(const Stretch& stretch, const Steps& steps, JumpRow* row) const;
@@ -58,6 +64,7 @@ class NormalPrior : public OrientationPrior {
 
   VolumeShape shape_;
   SurfaceFamily family_;
+  std::optional<SurfacePrior> placed_;
 };
 
 // How SGM-GNv and SGM-GNi make their surfaces.
@@ -69,12 +76,14 @@ struct NormalPriorSettings {
 // Makes the prior of a frame; keeps it for the next.
 class NormalPriorBuilder {
  public:
-  // `normals` and `discontinuities` as IntegrateNormals takes them, of the size of `shape`. The
-  // result is valid until the next call. Throws std::invalid_argument as IntegrateNormals and
-  // where the search range lies behind the camera or the sizes differ.
+  // `normals` and `discontinuities` as IntegrateNormals takes them, of the size of `shape`; for
+  // GNv, `coarse` is what the surfaces are placed by. The result is valid until the next call.
+  // Throws std::invalid_argument as IntegrateNormals and where the search range lies behind the
+  // camera or the sizes differ.
   const OrientationPrior* Build(const NormalPriorSettings& settings, const cv::Mat& normals,
                                 const cv::Mat& discontinuities, const StereoCamera& camera,
-                                const VolumeShape& shape, ThreadPool* pool);
+                                const CoarseDisparity& coarse, const VolumeShape& shape,
+                                ThreadPool* pool);
 
  private:
   NormalPrior prior_;

@@ -93,10 +93,12 @@ TEST(IntegrateNormals, CurvedSurfaceIsCloseToTruth) {
   EXPECT_LT(LargestError(Integrate(known.normals), known), 0.01);
 }
 
+// Of two parallel planes normals don't show where one ends.
 TEST(IntegrateNormals, MarkedDiscontinuitySeparatesSurfaces) {
   const StereoCamera camera = OffCenterCamera();
   KnownSurface known = PlaneSurface({60, 40}, kPlane, camera);
-  known.Draw({30, 0, 30, 40}, {-0.1, 0.15, 90.0}, camera);
+  const double near = 2.0 * (kPlane.c + camera.doffs) - camera.doffs;
+  known.Draw({30, 0, 30, 40}, {2.0 * kPlane.a, 2.0 * kPlane.b, near}, camera);
   EXPECT_EQ(Components(Integrate(known.normals)).size(), 1U);
   cv::Mat_<uchar> marked(known.normals.size(), 0);
   marked.colRange(29, 31).setTo(255);
@@ -105,6 +107,44 @@ TEST(IntegrateNormals, MarkedDiscontinuitySeparatesSurfaces) {
   EXPECT_EQ(result.component(20, 31), result.component(0, 30));
   EXPECT_EQ(Components(result).size(), 2U);
   EXPECT_LT(LargestError(result, known), 1e-4);
+}
+
+TEST(IntegrateNormals, NormalsThatChangeAbruptlySeparateSurfaces) {
+  const StereoCamera camera = OffCenterCamera();
+  KnownSurface known = PlaneSurface({60, 40}, {0.02, 0.01, 40.0}, camera);
+  known.Draw({30, 0, 30, 40}, {0.5, 0.01, 90.0}, camera);
+  const cv::Vec3f change = known.normals(0, 29) - known.normals(0, 30);
+  ASSERT_GT(cv::norm(change), 0.3);
+  const IntegratedNormals result = Integrate(known.normals);
+  EXPECT_EQ(Components(result).size(), 2U);
+  EXPECT_NE(result.component(20, 29), result.component(20, 30));
+  EXPECT_LT(LargestError(result, known), 1e-4);
+}
+
+TEST(IntegrateNormals, ContinuationsCarryThePlaneFromCellToCell) {
+  const StereoCamera camera = OffCenterCamera();
+  const KnownSurface known = PlaneSurface({150, 90}, kPlane, camera);
+  const IntegratedNormals result = Integrate(known.normals);
+  std::map<int, double> scale;  // log of the mean d + doffs
+  for (int y = 0; y < 90; ++y) {
+    for (int x = 0; x < 150; ++x) {
+      scale[result.component(y, x)] =
+          std::log(known.disparity(y, x) + camera.doffs) - result.log_disparity(y, x);
+    }
+  }
+  ASSERT_EQ(scale.size(), 6U);
+  EXPECT_EQ(result.continuations.size(), 2U * 7U);
+  for (const IntegratedNormals::Continuation& c : result.continuations) {
+    EXPECT_NE(IntegratedNormals::CellOf(c.from), IntegratedNormals::CellOf(c.to));
+    EXPECT_NEAR(scale.at(c.to) - scale.at(c.from), c.offset, 1e-5);
+  }
+}
+
+TEST(IntegrateNormals, WhatEndsAtTheBorderOfACellIsNotContinued) {
+  const StereoCamera camera = OffCenterCamera();
+  KnownSurface known = PlaneSurface({128, 64}, {0.02, 0.01, 40.0}, camera);
+  known.Draw({64, 0, 64, 64}, {0.5, 0.01, 90.0}, camera);
+  EXPECT_TRUE(Integrate(known.normals).continuations.empty());
 }
 
 // Around the face no constant fits, as the gap in depth varies. The error has to stay at the edges.

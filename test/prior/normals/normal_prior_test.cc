@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <stdexcept>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
 
 #include "prior/normals/normal_maps.h"
 #include "prior/surface_prior.h"
@@ -128,7 +130,7 @@ TEST_P(NormalPriorScan, EqualsForwardAndBackwardScan) {
   const VolumeShape shape = Shape(c.width, c.height, c.disparities, c.min_disparity);
   const SurfaceFamily family = RandomFamily(shape, c.scales, 5);
   NormalPrior prior;
-  prior.Assign(family, shape);
+  prior.Assign(family, cv::Mat(), shape);
   JumpRow row;
   for (const PathStep step : kSteps) {
     for (int y = 0; y < shape.height; ++y) {
@@ -167,7 +169,7 @@ TEST(NormalPrior, FamilyOfOneSurfaceIsThatSurface) {
   SurfacePrior expected;
   expected.Assign(surface, shape);
   NormalPrior prior;
-  prior.Assign(family, shape);
+  prior.Assign(family, cv::Mat(), shape);
   JumpRow row;
   JumpRow expected_row;
   for (const PathStep step : kSteps) {
@@ -178,10 +180,38 @@ TEST(NormalPrior, FamilyOfOneSurfaceIsThatSurface) {
   }
 }
 
+// Two components in one cell meet between the columns 4 and 5, two cells between 9 and 10.
+TEST(NormalPrior, PlacedSurfaceLeadsFromComponentToComponentOfACell) {
+  const VolumeShape shape = Shape(14, 3, 64, 0);
+  SurfaceFamily family;
+  family.scales = {20.0F, 40.0F};
+  family.shape = cv::Mat_<float>::ones(3, 14);
+  family.component = cv::Mat_<int>(3, 14, 1);
+  family.component.colRange(5, 10).setTo(2);
+  family.component.colRange(10, 14).setTo(1 + IntegratedNormals::kCellArea);
+  cv::Mat_<float> placed(3, 14, 12.0F);
+  placed.colRange(5, 10).setTo(45.0F);
+  JumpRow row;
+  NormalPrior prior;
+  prior.Assign(family, placed, shape);
+  prior.Jumps(1, 2, 14, {1, 0}, &row);
+  EXPECT_EQ(row.jump, std::vector<std::int16_t>({0, 0, 0, 33, 0, 0, 0, 0, 0, 0, 0, 0}));
+  prior.Jumps(1, 0, 14, {-1, -1}, &row);
+  EXPECT_EQ(row.jump, std::vector<std::int16_t>({0, 0, 0, 0, -33, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
+  placed(1, 5) = std::numeric_limits<float>::quiet_NaN();
+  prior.Assign(family, placed, shape);
+  prior.Jumps(1, 0, 14, {1, 0}, &row);
+  EXPECT_EQ(row.jump, std::vector<std::int16_t>(14, 0));
+  prior.Assign(family, cv::Mat(), shape);
+  prior.Jumps(2, 0, 14, {1, 0}, &row);
+  EXPECT_EQ(row.jump, std::vector<std::int16_t>(14, 0));
+}
+
 TEST(NormalPrior, RefusesOtherSize) {
   NormalPrior prior;
-  EXPECT_THROW(prior.Assign(RandomFamily(Shape(9, 5, 8, 0), {4.0F}, 1), Shape(9, 6, 8, 0)),
-               std::invalid_argument);
+  EXPECT_THROW(
+      prior.Assign(RandomFamily(Shape(9, 5, 8, 0), {4.0F}, 1), cv::Mat(), Shape(9, 6, 8, 0)),
+      std::invalid_argument);
 }
 
 class NormalPriorBuilderTest : public testing::Test {
@@ -190,7 +220,7 @@ class NormalPriorBuilderTest : public testing::Test {
   // prior's jumps up to x = 59.
   double FollowRow(const NormalPriorSettings& settings, int d) {
     const OrientationPrior* prior =
-        builder_.Build(settings, surface_.normals, cv::Mat(), camera_, shape_, &pool_);
+        builder_.Build(settings, surface_.normals, cv::Mat(), camera_, Coarse(), shape_, &pool_);
     JumpRow row;
     prior->Jumps(20, 0, shape_.width, {1, 0}, &row);
     for (std::size_t x = 1; x < 60; ++x) {
@@ -199,7 +229,17 @@ class NormalPriorBuilderTest : public testing::Test {
     return d;
   }
 
+  // Half the size, true and confident.
+  CoarseDisparity Coarse() {
+    cv::Mat half;
+    cv::resize(surface_.disparity, half, {30, 20}, 0.0, 0.0, cv::INTER_NEAREST);
+    half.convertTo(coarse_, CV_32F, 0.5);
+    return {coarse_, confident_};
+  }
+
   StereoCamera camera_ = OffCenterCamera();
+  cv::Mat coarse_;
+  cv::Mat confident_{20, 30, CV_8U, cv::Scalar(255)};
   VolumeShape shape_ = Shape(60, 40, 128, 0);
   KnownSurface surface_ = PlaneSurface({60, 40}, {0.4, 0.1, 30.0}, camera_);
   ThreadPool pool_{2};
@@ -214,6 +254,15 @@ TEST_F(NormalPriorBuilderTest, SlantOfGnvGrowsWithDisparity) {
     const double end = (start + camera_.doffs) * at_end / at_start - camera_.doffs;
     EXPECT_NEAR(FollowRow({}, start), end, 0.16 * (end - start)) << start;
   }
+}
+
+// The bar lies 50 disparities before the wall. Without a way across its edges the path would miss
+// the wall behind it by what that rises there.
+TEST_F(NormalPriorBuilderTest, GnvLeadsFromWallToBarAndBack) {
+  surface_.Draw({20, 0, 16, 40}, {0.0, 0.0, 90.0}, camera_);
+  ASSERT_GT(cv::norm(surface_.normals(20, 10), surface_.normals(20, 25)), 0.3);
+  const int start = static_cast<int>(std::lround(surface_.disparity(20, 0)));
+  EXPECT_NEAR(FollowRow({}, start), surface_.disparity(20, 59), 3.5);
 }
 
 TEST_F(NormalPriorBuilderTest, SlantOfGniIsThatOfItsDepth) {
@@ -237,7 +286,7 @@ TEST_F(NormalPriorBuilderTest, GniLiesInTheMiddleOfTheRangeUnlessToldOtherwise) 
 
 TEST_F(NormalPriorBuilderTest, RefusesMalformedInput) {
   const auto build = [this](const cv::Mat& normals) {
-    builder_.Build({}, normals, cv::Mat(), camera_, shape_, &pool_);
+    builder_.Build({}, normals, cv::Mat(), camera_, Coarse(), shape_, &pool_);
   };
   EXPECT_THROW(build(cv::Mat()), std::invalid_argument);
   EXPECT_THROW(build(surface_.normals.rowRange(0, 39)), std::invalid_argument);
