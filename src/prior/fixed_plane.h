@@ -40,14 +40,10 @@ class FixedPlane {
   PlaneRun RunFrom(int x, int y, int dx, int dy, int limit) const {
     const std::int64_t step = a_ * dx + b_ * dy;
     const std::int64_t whole = step >> kFractionBits;
-    PlaneRun run;
-    run.fraction = static_cast<std::uint32_t>(FixedAt(x, y));
-    run.slope = static_cast<std::uint32_t>(a_);
-    run.step = static_cast<std::uint32_t>(step);
-    run.jump = static_cast<std::int32_t>(std::clamp<std::int64_t>(whole, -limit, limit));
-    run.jump_with_carry =
-        static_cast<std::int32_t>(std::clamp<std::int64_t>(whole + 1, -limit, limit));
-    return run;
+    return {static_cast<std::uint32_t>(FixedAt(x, y)), static_cast<std::uint32_t>(a_),
+            static_cast<std::uint32_t>(step),
+            static_cast<std::int32_t>(std::clamp<std::int64_t>(whole, -limit, limit)),
+            static_cast<std::int32_t>(std::clamp<std::int64_t>(whole + 1, -limit, limit))};
   }
 
  private:

@@ -1,9 +1,11 @@
 #ifndef STEREO_SGMP_PRIOR_PLANE_COLUMNS_H_
 #define STEREO_SGMP_PRIOR_PLANE_COLUMNS_H_
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "prior/fixed_plane.h"
@@ -31,8 +33,7 @@ class PlaneColumns {
   const SurfaceColumn& At(int i) {
     for (std::size_t n = 0; n < count_; ++n) {
       const std::size_t k = SurfaceColumn::SurfaceOf(keys_[n]);
-      const std::int64_t value = (values_[k] + slopes_[k] * i) >> FixedPlane::kFractionBits;
-      const int key = SurfaceColumn::Key(static_cast<int>(value), k);
+      const int key = SurfaceColumn::Key(RoundedAt(k, i), k);
       std::size_t place = n;
       for (; place > 0 && keys_[place - 1] > key; --place) keys_[place] = keys_[place - 1];
       keys_[place] = key;
@@ -41,7 +42,27 @@ class PlaneColumns {
     return column_;
   }
 
+  // The cell of the k-th plane alone, as At(i) has it: the disparities [begin, end). Empty where
+  // another plane stands for it.
+  std::pair<int, int> CellOf(std::size_t k, int i) const {
+    const int own = RoundedAt(k, i);
+    int below = -SurfaceColumn::kNoEnd;
+    int above = SurfaceColumn::kNoEnd;
+    for (std::size_t other = 0; other < count_; ++other) {
+      const int value = RoundedAt(other, i);
+      if (value == own && other < k) return {0, 0};
+      below = value < own ? std::max(below, value) : below;
+      above = value > own ? std::min(above, value) : above;
+    }
+    return {below == -SurfaceColumn::kNoEnd ? below : SurfaceColumn::FirstNearer(below, own),
+            above == SurfaceColumn::kNoEnd ? above : SurfaceColumn::FirstNearer(own, above)};
+  }
+
  private:
+  int RoundedAt(std::size_t k, int i) const {
+    return static_cast<int>((values_[k] + slopes_[k] * i) >> FixedPlane::kFractionBits);
+  }
+
   std::size_t count_;
   // Set up to count_. Clearing the rest would take longer than all that is done with a column.
   std::array<std::int64_t, PlaneSet::kMaxPlanes> values_;  // NOLINT: 2^-32, of the first pixel

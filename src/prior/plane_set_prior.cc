@@ -33,6 +33,24 @@ void CheckSets(const std::vector<DisparityPlane>& planes, const PlaneSets& sets)
   }
 }
 
+using PlaneJumps = std::array<std::int16_t, PlaneSet::kMaxPlanes * kMaxPlaneRun>;
+
+int JumpOf(const PlaneJumps& jumps, int plane, int i) {
+  return jumps[static_cast<std::size_t>(plane * kMaxPlaneRun + i)];
+}
+
+// The plane with a jump at pixel i, where that is a single one; else -1.
+int OnlyOne(const std::uint64_t* moves, int planes, int i) {
+  int count = 0;
+  int last = 0;
+  for (int k = 0; k < planes; ++k) {
+    const auto moves_here = static_cast<int>(moves[k] >> i & 1);
+    count += moves_here;
+    last = moves_here != 0 ? k : last;
+  }
+  return count == 1 ? last : -1;
+}
+
 }  // namespace
 
 void PlaneSetPrior::Assign(const std::vector<DisparityPlane>& planes, const PlaneSets& sets,
@@ -133,22 +151,29 @@ void PlaneSetPrior::FollowPlanes(const Stretch& stretch, JumpRow* row) const {
   const int y_p = stretch.y - stretch.step.dy;
   // Set as far as they are read; clearing them would take longer than all else here.
   std::array<PlaneRun, PlaneSet::kMaxPlanes> runs;
-  std::array<std::int16_t, PlaneSet::kMaxPlanes * kMaxPlaneRun> jumps;
+  PlaneJumps jumps;
   for (int k = 0; k < set.count; ++k) {
     runs[static_cast<std::size_t>(k)] =
         PlaneOf(set, k).RunFrom(x_p, y_p, stretch.step.dx, stretch.step.dy, shape_.disparities);
   }
-  std::uint64_t differ = JumpsOfPlanes(runs.data(), set.count, count, jumps.data());
+  std::array<std::uint64_t, PlaneSet::kMaxPlanes> moves;
+  std::uint64_t differ = JumpsOfPlanes(runs.data(), set.count, count, jumps.data(), moves.data());
   // Where all planes jump alike, that is the jump.
   std::copy_n(jumps.data(), count, row->jump.data() + stretch.entry);
   if (differ == 0) return;
   PlaneColumns columns(planes_, set, x_p, y_p);
   for (; differ != 0; differ &= differ - 1) {
     const auto i = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(differ));
+    const int only = OnlyOne(moves.data(), set.count, i);
+    if (only >= 0) {
+      const auto [begin, end] = columns.CellOf(static_cast<std::size_t>(only), i);
+      WriteCell(stretch.entry + i, {begin, end, JumpOf(jumps, only, i)}, shape_.disparities, row);
+      continue;
+    }
     const SurfaceColumn& column = columns.At(i);
     SegmentWriter writer(stretch.entry + i, shape_.disparities, row);
     for (int cell = 0; cell < column.cells(); ++cell) {
-      writer.WriteUpTo(column.CellEnd(cell), jumps[column.surface(cell) * kMaxPlaneRun + i]);
+      writer.WriteUpTo(column.CellEnd(cell), JumpOf(jumps, column.surface(cell), i));
     }
     writer.Finish();
   }

@@ -52,6 +52,33 @@ class SegmentWriter {
   JumpRow& row_;
 };
 
+// Writes an entry of which only one cell moves. Where that ends is random: few decisions are made.
+inline void WriteCell(int entry, JumpSegment cell, int disparities, JumpRow* row) {
+  const auto index = static_cast<std::size_t>(entry);
+  cell.begin = std::clamp(cell.begin, 0, disparities);
+  cell.end = std::clamp(cell.end, 0, disparities);
+  const bool moves_none = cell.begin >= cell.end;
+  const bool moves_all = cell.begin == 0 && cell.end == disparities;
+  if (moves_none || moves_all) {
+    row->jump[index] = static_cast<std::int16_t>(moves_all ? cell.jump : 0);
+    return;
+  }
+  const std::size_t first = row->segments.size();
+  constexpr std::size_t kMost = 3;
+  row->segments.resize(first + kMost);
+  JumpSegment* end = row->segments.data() + first;
+  *end = {0, cell.begin, 0};
+  end += cell.begin > 0 ? 1 : 0;
+  *end++ = cell;
+  *end = {cell.end, disparities, 0};
+  end += cell.end < disparities ? 1 : 0;
+  const auto count = static_cast<std::size_t>(end - row->segments.data()) - first;
+  row->segments.resize(first + count);
+  row->jump[index] = JumpRow::kVaries;
+  row->first_segment[index] = static_cast<std::int32_t>(first);
+  row->segment_count[index] = static_cast<std::int16_t>(count);
+}
+
 }  // namespace stereo_sgmp
 
 #endif  // STEREO_SGMP_PRIOR_SEGMENT_WRITER_H_

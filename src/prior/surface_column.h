@@ -46,7 +46,12 @@ class SurfaceColumn {
   // The first disparity that is nearer to the surface of the next cell.
   int CellEnd(int cell) const {
     if (cell + 1 == cells_) return kNoEnd;
-    const int sum = value(cell) + value(cell + 1);
+    return FirstNearer(value(cell), value(cell + 1));
+  }
+
+  // The first disparity that is nearer to the surface at `above` than to that at `below`.
+  static int FirstNearer(int below, int above) {
+    const int sum = below + above;
     return (sum >= 0 ? sum / 2 : -((1 - sum) / 2)) + 1;  // floor of the midpoint, plus 1
   }
 
