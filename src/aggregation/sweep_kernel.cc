@@ -244,6 +244,10 @@ void SweepOf(const SweepStretch<T>& s) {
       return SweepVectors<T, kPaths, 4>(s);
     case 5:
       return SweepVectors<T, kPaths, 5>(s);
+    case 8:
+      // 256 disparities in vectors of 32; longer vectors need fewer.
+      if constexpr (kLanes<T> == 32) return SweepVectors<T, kPaths, 8>(s);
+      [[fallthrough]];
     default:
       return SweepVectors<T, kPaths, kAnyVectors>(s);
   }
