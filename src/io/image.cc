@@ -27,6 +27,15 @@ bool IsTruncated(const std::string& bytes) {
   return false;
 }
 
+// Formats of floats are no pictures here. Found before decoding, which would make room for whatever
+// size their header claims.
+bool HoldsFloats(const std::string& bytes) {
+  for (const char* prefix : {"PF", "Pf", "#?RADIANCE", "#?RGBE"}) {
+    if (StartsWith(bytes, prefix)) return true;
+  }
+  return false;
+}
+
 cv::Mat Decode(const std::string& bytes, const std::string& path) {
   const std::vector<unsigned char> buffer(bytes.begin(), bytes.end());
   try {
@@ -47,6 +56,10 @@ cv::Mat DecodeImage(const std::string& bytes, const std::string& name) {
   if (IsTruncated(bytes)) {
     throw std::invalid_argument(name + ": the picture is truncated after " +
                                 std::to_string(bytes.size()) + " bytes.");
+  }
+  if (HoldsFloats(bytes)) {
+    throw std::invalid_argument(name + ": this holds floats (PFM or HDR), but 8 or 16 bit gray, " +
+                                "BGR or BGRA is expected.");
   }
   cv::Mat image = Decode(bytes, name);
   if (image.empty()) {

@@ -57,6 +57,12 @@ TEST(Image, RefusesFloatPictures) {
   ExpectInvalid([&] { LoadImage(folder.Path("a.tiff")); }, "8 or 16 bit");
 }
 
+TEST(Image, DoesNotMakeRoomForWhatAHeaderClaims) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Write("a.png", "PF\n30000 30000\n-1.0\n");
+  ExpectInvalid([&] { LoadImage(path); }, "holds floats");
+}
+
 TEST(Image, PairsMustAgree) {
   const cv::Mat image = RandomImage(CV_8UC3);
   CheckPair(image, "l.png", image, "r.png");
