@@ -5,10 +5,13 @@
 #include <chrono>
 #include <thread>
 
+#include "common/thread_pool.h"
+
 namespace stereo_sgmp {
 namespace {
 
 constexpr int kSpins = 2000;
+constexpr int kSpinsAside = 100;  // until the other may be kept off this core
 constexpr int kYields = 20;
 constexpr std::chrono::microseconds kNap(50);
 
@@ -27,6 +30,7 @@ void Progress::WaitFor(int group, int columns) const {
   for (int tries = 0; done.load(std::memory_order_acquire) < columns; ++tries) {
     if (tries < kSpins) {
       hwy::Pause();
+      if (tries % kSpinsAside == kSpinsAside - 1) ThreadPool::MoveApart();
     } else if (tries < kSpins + kYields) {
       std::this_thread::yield();
     } else {
