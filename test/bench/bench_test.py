@@ -104,7 +104,7 @@ class RooflineTest(unittest.TestCase):
                   run("stage/prior_epv/2", 9.0), run("stage/images/1", 1.0))
         aggregation, images = roofline.lines(of, HALF, self.CEILINGS, 2)
         volume = 1440 * 994 * 256
-        self.assertAlmostEqual(aggregation.memory_ms, 4 * volume / 20e6)
+        self.assertAlmostEqual(aggregation.memory_ms, 2 * volume / 20e6)
         self.assertAlmostEqual(aggregation.share, aggregation.operations_ms / 400.0)
         self.assertAlmostEqual(images.share, images.memory_ms)
         self.assertIn("| stage/images | 0.0 | 0.03 | 1.0 |",
