@@ -27,13 +27,15 @@ bool IsTruncated(const std::string& bytes) {
   return false;
 }
 
-// Formats of floats are no pictures here. Found before decoding, which would make room for whatever
-// size their header claims.
-bool HoldsFloats(const std::string& bytes) {
-  for (const char* prefix : {"PF", "Pf", "#?RADIANCE", "#?RGBE"}) {
+// Whether the file begins as one of the formats that are read. OpenCV would try many more, some
+// with decoders that end the process or make room for whatever size a header claims.
+bool IsKnownFormat(const std::string& bytes) {
+  using std::string_literals::operator""s;
+  for (const std::string& prefix : {"\x89PNG"s, "\xFF\xD8"s, "BM"s, "II*\0"s, "MM\0*"s}) {
     if (StartsWith(bytes, prefix)) return true;
   }
-  return false;
+  if (StartsWith(bytes, "RIFF")) return bytes.size() > 12 && bytes.compare(8, 4, "WEBP") == 0;
+  return bytes.size() > 1 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6';
 }
 
 cv::Mat Decode(const std::string& bytes, const std::string& path) {
@@ -57,14 +59,11 @@ cv::Mat DecodeImage(const std::string& bytes, const std::string& name) {
     throw std::invalid_argument(name + ": the picture is truncated after " +
                                 std::to_string(bytes.size()) + " bytes.");
   }
-  if (HoldsFloats(bytes)) {
-    throw std::invalid_argument(name + ": this holds floats (PFM or HDR), but 8 or 16 bit gray, " +
-                                "BGR or BGRA is expected.");
-  }
-  cv::Mat image = Decode(bytes, name);
+  const cv::Mat image = IsKnownFormat(bytes) ? Decode(bytes, name) : cv::Mat();
   if (image.empty()) {
-    throw std::invalid_argument(name + ": this is not a picture that can be read (PNG, JPEG, " +
-                                "PNM, TIFF ... are expected).");
+    throw std::invalid_argument(name +
+                                ": this is not a picture that can be read (PNG, JPEG, PNM, " +
+                                "TIFF, BMP and WebP are expected).");
   }
   const bool known_depth = image.depth() == CV_8U || image.depth() == CV_16U;
   if (!known_depth || image.channels() == 2) {
