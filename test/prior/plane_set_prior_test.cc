@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 namespace stereo_sgmp {
 namespace {
@@ -40,13 +41,13 @@ double Coefficient(std::mt19937* random, double limit) {
 }
 
 Scene RandomScene(const VolumeShape& shape, cv::Size coarse, int planes, int max_in_set,
-                  unsigned seed) {
+                  double slope, unsigned seed) {
   std::mt19937 random(seed);
   Scene scene;
   scene.shape = shape;
   for (int i = 0; i < planes; ++i) {
     const double middle = shape.min_disparity + shape.disparities / 2.0;
-    scene.planes.push_back({Coefficient(&random, 1.2), Coefficient(&random, 1.2),
+    scene.planes.push_back({Coefficient(&random, slope), Coefficient(&random, slope),
                             middle + Coefficient(&random, 0.7 * shape.disparities)});
   }
   scene.sets.sets.emplace_back();
@@ -146,14 +147,15 @@ std::vector<int> Unpack(const JumpRow& row, std::size_t i, int disparities) {
   return jumps;
 }
 
-void ExpectEqualsScan(const Scene& scene, JumpPolicy policy) {
+// Asks for `span` pixels at a time.
+void ExpectEqualsScan(const Scene& scene, JumpPolicy policy, int span) {
   PlaneSetPrior prior;
   prior.Assign(scene.planes, scene.sets, scene.shape, policy);
   JumpRow row;
   for (const PathStep step : kSteps) {
     for (int y = 0; y < scene.shape.height; ++y) {
-      for (int begin = 0; begin < scene.shape.width; begin += 37) {
-        const int end = std::min(scene.shape.width, begin + 37);
+      for (int begin = 0; begin < scene.shape.width; begin += span) {
+        const int end = std::min(scene.shape.width, begin + span);
         prior.Jumps(y, begin, end, step, &row);
         for (int x = begin; x < end; ++x) {
           ASSERT_EQ(Unpack(row, static_cast<std::size_t>(x - begin), scene.shape.disparities),
@@ -169,6 +171,7 @@ struct Case {
   int width, height, disparities, min_disparity;
   cv::Size coarse;
   int planes, max_in_set;
+  double slope = 1.2;  // up to it, in x and y
 };
 
 class PlaneSetPriorScan : public testing::TestWithParam<Case> {};
@@ -176,15 +179,22 @@ class PlaneSetPriorScan : public testing::TestWithParam<Case> {};
 TEST_P(PlaneSetPriorScan, EqualsForwardAndBackwardScan) {
   const Case& c = GetParam();
   const Scene scene = RandomScene(Shape(c.width, c.height, c.disparities, c.min_disparity),
-                                  c.coarse, c.planes, c.max_in_set, 7);
-  ExpectEqualsScan(scene, JumpPolicy::kSameSurface);
-  ExpectEqualsScan(scene, JumpPolicy::kLiteral);
+                                  c.coarse, c.planes, c.max_in_set, c.slope, 7);
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(target);
+    ExpectEqualsScan(scene, JumpPolicy::kSameSurface, 37);
+    ExpectEqualsScan(scene, JumpPolicy::kSameSurface, 200);
+    ExpectEqualsScan(scene, JumpPolicy::kLiteral, 37);
+  }
+  hwy::SetSupportedTargetsForTest(0);
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Sizes, PlaneSetPriorScan,
     testing::Values(Case{41, 13, 32, 0, {11, 4}, 5, 1}, Case{41, 13, 32, 0, {10, 3}, 6, 3},
-                    Case{75, 5, 70, -20, {19, 2}, 9, 8}, Case{9, 7, 16, 5, {9, 7}, 4, 4},
+                    Case{75, 5, 70, -20, {19, 2}, 9, 8}, Case{140, 4, 40, 0, {3, 2}, 9, 5, 0.1},
+                    Case{150, 3, 33, -4, {2, 1}, 5, 4, 0.02}, Case{9, 7, 16, 5, {9, 7}, 4, 4},
                     Case{3, 2, 8, 0, {5, 4}, 3, 2}, Case{1, 1, 4, 0, {1, 1}, 2, 2},
                     Case{1, 9, 4, 0, {1, 3}, 2, 2}, Case{9, 1, 4, 0, {3, 1}, 2, 2}));
 
