@@ -54,7 +54,7 @@ class Sweep {
   static std::size_t Memory(const VolumeShape& shape, int threads);
 
  private:
-  static constexpr int kRowsPerGroup = 4;
+  static constexpr int kRowsPerGroup = 8;
   static constexpr int kStretch = SweepStretch<T>::kMaxPixels;
   static constexpr int kRing = 32;  // power of two, >= kStretch + 2
   // Jumps are asked for this many pixels ahead, whole stretches: it pays to ask for many.
