@@ -150,13 +150,13 @@ void PlaneSetPrior::FollowPlanes(const Stretch& stretch, JumpRow* row) const {
   const int x_p = stretch.x_begin - stretch.step.dx;
   const int y_p = stretch.y - stretch.step.dy;
   // Set as far as they are read; clearing them would take longer than all else here.
-  std::array<PlaneRun, PlaneSet::kMaxPlanes> runs;
-  PlaneJumps jumps;
+  std::array<PlaneRun, PlaneSet::kMaxPlanes> runs;        // NOLINT(*-pro-type-member-init)
+  std::array<std::uint64_t, PlaneSet::kMaxPlanes> moves;  // NOLINT(*-pro-type-member-init)
+  PlaneJumps jumps;                                       // NOLINT(*-pro-type-member-init)
   for (int k = 0; k < set.count; ++k) {
     runs[static_cast<std::size_t>(k)] =
         PlaneOf(set, k).RunFrom(x_p, y_p, stretch.step.dx, stretch.step.dy, shape_.disparities);
   }
-  std::array<std::uint64_t, PlaneSet::kMaxPlanes> moves;
   std::uint64_t differ = JumpsOfPlanes(runs.data(), set.count, count, jumps.data(), moves.data());
   // Where all planes jump alike, that is the jump.
   std::copy_n(jumps.data(), count, row->jump.data() + stretch.entry);

@@ -9,6 +9,13 @@
 
 namespace stereo_sgmp {
 
+// Makes segments that were written those of an entry.
+inline void PointToSegments(std::size_t entry, std::size_t first, std::size_t count, JumpRow* row) {
+  row->jump[entry] = JumpRow::kVaries;
+  row->first_segment[entry] = static_cast<std::int32_t>(first);
+  row->segment_count[entry] = static_cast<std::int16_t>(count);
+}
+
 // Writes the segments of one entry of a JumpRow, in rising order; neighbours with equal jumps
 // become one.
 class SegmentWriter {
@@ -39,9 +46,7 @@ class SegmentWriter {
       row_.segments.pop_back();
       return;
     }
-    row_.jump[entry_] = JumpRow::kVaries;
-    row_.first_segment[entry_] = static_cast<std::int32_t>(first_);
-    row_.segment_count[entry_] = static_cast<std::int16_t>(count);
+    PointToSegments(entry_, first_, count, &row_);
   }
 
  private:
@@ -74,9 +79,7 @@ inline void WriteCell(int entry, JumpSegment cell, int disparities, JumpRow* row
   end += cell.end < disparities ? 1 : 0;
   const auto count = static_cast<std::size_t>(end - row->segments.data()) - first;
   row->segments.resize(first + count);
-  row->jump[index] = JumpRow::kVaries;
-  row->first_segment[index] = static_cast<std::int32_t>(first);
-  row->segment_count[index] = static_cast<std::int16_t>(count);
+  PointToSegments(index, first, count, row);
 }
 
 }  // namespace stereo_sgmp
