@@ -32,13 +32,17 @@ struct Journey {
   int slack;
 };
 
+// The slack, or a price that nothing can pay where there is no way around the jump.
+template <class T>
+HWY_INLINE T PriceOfStaying(const Journey<T>& journey) {
+  return journey.slack < 0 ? PathSlot<T>::kUnreachable : static_cast<T>(journey.slack);
+}
+
 // Without a jump the message arrives where it is, for the price of the slack.
 template <class T>
 HWY_INLINE void Stay(const Journey<T>& journey, T* moved) {
   const Tag<T> d;
-  // A price that nothing can pay where there is no way around the jump.
-  const T price = journey.slack < 0 ? PathSlot<T>::kUnreachable : static_cast<T>(journey.slack);
-  const Lanes<T> slack = hn::Set(d, price);
+  const Lanes<T> slack = hn::Set(d, PriceOfStaying(journey));
   for (int t = 0; t < journey.disparities; t += kLanes<T>) {
     hn::Store(hn::SaturatedAdd(hn::Load(d, journey.message + t), slack), d, moved + t);
   }
@@ -60,6 +64,32 @@ HWY_INLINE void Arrive(const JumpSegment& segment, const Journey<T>& journey, T*
   }
 }
 
+// What arrives where one cell moves by up to PathSlot::kPad, in one pass over the message.
+template <class T>
+HWY_INLINE void MoveCell(const JumpSegment& cell, const Journey<T>& journey, T* moved) {
+  const Tag<T> d;
+  const Lanes<T> price = hn::Set(d, PriceOfStaying(journey));
+  const T* from_begin = RangeMasks<T>::From(cell.begin);
+  const T* from_end = RangeMasks<T>::From(cell.end);
+  for (int t = 0; t < journey.disparities; t += kLanes<T>) {
+    const Lanes<T> leaves = hn::AndNot(hn::LoadU(d, from_end + t), hn::LoadU(d, from_begin + t));
+    const Lanes<T> comes = hn::AndNot(hn::LoadU(d, from_end + t - cell.jump),
+                                      hn::LoadU(d, from_begin + t - cell.jump));
+    const Lanes<T> here = hn::Load(d, journey.message + t);
+    const Lanes<T> from_afar = hn::LoadU(d, journey.message + t - cell.jump);
+    const Lanes<T> stays = hn::SaturatedAdd(here, hn::And(leaves, price));
+    hn::Store(hn::Min(stays, hn::Or(from_afar, hn::Not(comes))), d, moved + t);
+  }
+}
+
+// The same for any number of segments and any distance.
+template <class T>
+HWY_INLINE void MoveSegments(const JumpSegment* segments, int count, const Journey<T>& journey,
+                             T* moved) {
+  Stay(journey, moved);
+  for (int i = 0; i < count; ++i) Arrive(segments[i], journey, moved);
+}
+
 // The least of M_r(p, d) over the d with d + j_p(d) = t, and of M_r(p, t) + slack if slack >= 0,
 // for every t. Points into the message where that will do, else into the slot `scratch`.
 template <class T>
@@ -67,19 +97,23 @@ HWY_INLINE const T* MoveMessage(const JumpRow& row, std::size_t entry, const Jou
                                 T* scratch) {
   const int jump = row.jump[entry];
   if (jump == 0) return journey.message;
-  const bool varies = jump == JumpRow::kVaries;
-  if (!varies && journey.slack < 0 && std::abs(jump) <= PathSlot<T>::kPad) {
-    return journey.message - jump;
-  }
   T* moved = scratch + PathSlot<T>::kPad;
-  Stay(journey, moved);
-  if (varies) {
-    const JumpSegment* segment = row.segments.data() + row.first_segment[entry];
-    const JumpSegment* end = segment + row.segment_count[entry];
-    for (; segment != end; ++segment) Arrive(*segment, journey, moved);
-  } else {
-    Arrive({0, journey.disparities, jump}, journey, moved);
+  if (jump == JumpRow::kVaries) {
+    MoveSegments(row.segments.data() + row.first_segment[entry], row.segment_count[entry], journey,
+                 moved);
+    return moved;
   }
+  const int begin = row.begin[entry];
+  const int end = std::min<int>(row.end[entry], journey.disparities);
+  if (std::abs(jump) > PathSlot<T>::kPad) {
+    const JumpSegment segments[] = {
+        {0, begin, 0}, {begin, end, jump}, {end, journey.disparities, 0}};
+    MoveSegments(segments, 3, journey, moved);
+    return moved;
+  }
+  const bool moves_all = begin == 0 && end == journey.disparities;
+  if (moves_all && journey.slack < 0) return journey.message - jump;
+  MoveCell({begin, end, jump}, journey, moved);
   return moved;
 }
 

@@ -2,6 +2,7 @@
 #define STEREO_SGMP_AGGREGATION_LANE_MASKS_H_
 
 #include <array>
+#include <cstddef>
 #include <limits>
 
 namespace stereo_sgmp {
@@ -28,6 +29,28 @@ class LaneMasks {
       table[static_cast<std::size_t>(i)] = std::numeric_limits<T>::max();
       table[static_cast<std::size_t>(2 * kMost + i)] = std::numeric_limits<T>::max();
     }
+    return table;
+  }
+
+  static constexpr Table kTable = MakeTable();
+};
+
+// The same for disparity indices of a whole range: read at index t on, the masks say of t and those
+// behind it whether they are at least `count`.
+template <class T>
+class RangeMasks {
+ public:
+  // Disparities, and the jumps of PathSlot at both ends of their range.
+  static constexpr int kMost = 2048 + 2 * LaneMasks<T>::kMost;
+
+  static const T* From(int count) { return kTable.data() + kMost - count; }
+
+ private:
+  using Table = std::array<T, 2 * kMost>;
+
+  static constexpr Table MakeTable() {
+    Table table{};
+    for (std::size_t i = kMost; i < table.size(); ++i) table[i] = std::numeric_limits<T>::max();
     return table;
   }
 

@@ -40,7 +40,10 @@ class FixedPlane {
   PlaneRun RunFrom(int x, int y, int dx, int dy, int limit) const {
     const std::int64_t step = a_ * dx + b_ * dy;
     const std::int64_t whole = step >> kFractionBits;
-    return {static_cast<std::uint32_t>(FixedAt(x, y)), static_cast<std::uint32_t>(a_),
+    return {RoundedAt(x, y),
+            static_cast<std::uint32_t>(FixedAt(x, y)),
+            static_cast<std::int32_t>(a_ >> kFractionBits),
+            static_cast<std::uint32_t>(a_),
             static_cast<std::uint32_t>(step),
             static_cast<std::int32_t>(std::clamp<std::int64_t>(whole, -limit, limit)),
             static_cast<std::int32_t>(std::clamp<std::int64_t>(whole + 1, -limit, limit))};

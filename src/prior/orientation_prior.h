@@ -2,6 +2,7 @@
 #ifndef STEREO_SGMP_PRIOR_ORIENTATION_PRIOR_H_
 #define STEREO_SGMP_PRIOR_ORIENTATION_PRIOR_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -24,14 +25,28 @@ struct JumpSegment {
 // Jumps for the steps that end at the pixels q of a stretch of one row.
 struct JumpRow {
   static constexpr std::int16_t kVaries = INT16_MIN;
+  static constexpr std::int16_t kNoEnd = INT16_MAX;
 
-  // Per pixel: the jump of all disparities, or kVaries where it depends on the disparity.
+  // Per pixel: the jump of the disparity indices [begin, end), while all others stay; or kVaries
+  // where there are several jumps.
   std::vector<std::int16_t> jump;
+  std::vector<std::int16_t> begin;
+  std::vector<std::int16_t> end;
   // Per pixel with kVaries: its segments are segments[first_segment[i] ... + segment_count[i]),
   // in rising order, covering all disparity indices without gap or overlap.
   std::vector<std::int32_t> first_segment;
   std::vector<std::int16_t> segment_count;
   std::vector<JumpSegment> segments;
+
+  // `count` pixels whose jump is 0 and, once it is set, that of all disparities.
+  void Reset(std::size_t count) {
+    jump.assign(count, 0);
+    begin.assign(count, 0);
+    end.assign(count, kNoEnd);
+    first_segment.resize(count);
+    segment_count.resize(count);
+    segments.clear();
+  }
 };
 
 // A set of disparity surfaces to stay parallel to: none, one or several at each pixel.

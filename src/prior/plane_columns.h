@@ -1,11 +1,9 @@
 #ifndef STEREO_SGMP_PRIOR_PLANE_COLUMNS_H_
 #define STEREO_SGMP_PRIOR_PLANE_COLUMNS_H_
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "prior/fixed_plane.h"
@@ -40,22 +38,6 @@ class PlaneColumns {
     }
     column_.Assign(keys_.data(), count_);
     return column_;
-  }
-
-  // The cell of the k-th plane alone, as At(i) has it: the disparities [begin, end). Empty where
-  // another plane stands for it.
-  std::pair<int, int> CellOf(std::size_t k, int i) const {
-    const int own = RoundedAt(k, i);
-    int below = -SurfaceColumn::kNoEnd;
-    int above = SurfaceColumn::kNoEnd;
-    for (std::size_t other = 0; other < count_; ++other) {
-      const int value = RoundedAt(other, i);
-      if (value == own && other < k) return {0, 0};
-      below = value < own ? std::max(below, value) : below;
-      above = value > own ? std::min(above, value) : above;
-    }
-    return {below == -SurfaceColumn::kNoEnd ? below : SurfaceColumn::FirstNearer(below, own),
-            above == SurfaceColumn::kNoEnd ? above : SurfaceColumn::FirstNearer(own, above)};
   }
 
  private:

@@ -33,22 +33,11 @@ void CheckSets(const std::vector<DisparityPlane>& planes, const PlaneSets& sets)
   }
 }
 
-using PlaneJumps = std::array<std::int16_t, PlaneSet::kMaxPlanes * kMaxPlaneRun>;
+std::size_t At(int i) { return static_cast<std::size_t>(i); }
 
-int JumpOf(const PlaneJumps& jumps, int plane, int i) {
-  return jumps[static_cast<std::size_t>(plane * kMaxPlaneRun + i)];
-}
-
-// The plane with a jump at pixel i, where that is a single one; else -1.
-int OnlyOne(const std::uint64_t* moves, int planes, int i) {
-  int count = 0;
-  int last = 0;
-  for (int k = 0; k < planes; ++k) {
-    const auto moves_here = static_cast<int>(moves[k] >> i & 1);
-    count += moves_here;
-    last = moves_here != 0 ? k : last;
-  }
-  return count == 1 ? last : -1;
+// The lowest bit that is set; there has to be one.
+int FirstOf(std::uint64_t bits) {
+  return static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
 }
 
 }  // namespace
@@ -83,16 +72,11 @@ void PlaneSetPrior::MapColumns() {
 }
 
 void PlaneSetPrior::Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* row) const {
-  const auto count = static_cast<std::size_t>(x_end - x_begin);
-  row->jump.resize(count);
-  row->first_segment.resize(count);
-  row->segment_count.resize(count);
-  row->segments.clear();
+  row->Reset(static_cast<std::size_t>(x_end - x_begin));
   const int y_p = y - step.dy;
   // Pixels whose predecessor lies inside.
   const int inside_begin = std::clamp(step.dx, x_begin, x_end);
   const int inside_end = std::clamp(shape_.width + step.dx, inside_begin, x_end);
-  std::fill(row->jump.begin(), row->jump.end(), std::int16_t{0});
   if (y_p < 0 || y_p >= shape_.height) return;
 
   const std::uint16_t* ids_p = IdsOfRow(y_p);
@@ -150,30 +134,33 @@ void PlaneSetPrior::FollowPlanes(const Stretch& stretch, JumpRow* row) const {
   const int x_p = stretch.x_begin - stretch.step.dx;
   const int y_p = stretch.y - stretch.step.dy;
   // Set as far as they are read; clearing them would take longer than all else here.
-  std::array<PlaneRun, PlaneSet::kMaxPlanes> runs;        // NOLINT(*-pro-type-member-init)
-  std::array<std::uint64_t, PlaneSet::kMaxPlanes> moves;  // NOLINT(*-pro-type-member-init)
-  PlaneJumps jumps;                                       // NOLINT(*-pro-type-member-init)
+  std::array<PlaneRun, PlaneSet::kMaxPlanes> runs;  // NOLINT(*-pro-type-member-init)
+  PlaneMoves moves;                                 // NOLINT(*-pro-type-member-init)
   for (int k = 0; k < set.count; ++k) {
     runs[static_cast<std::size_t>(k)] =
         PlaneOf(set, k).RunFrom(x_p, y_p, stretch.step.dx, stretch.step.dy, shape_.disparities);
   }
-  std::uint64_t differ = JumpsOfPlanes(runs.data(), set.count, count, jumps.data(), moves.data());
-  // Where all planes jump alike, that is the jump.
-  std::copy_n(jumps.data(), count, row->jump.data() + stretch.entry);
-  if (differ == 0) return;
+  FollowPlaneRuns(runs.data(), set.count, count, shape_.disparities, &moves);
+  for (std::uint64_t alike = moves.alike; alike != 0; alike &= alike - 1) {
+    const int i = FirstOf(alike);
+    row->jump[At(stretch.entry + i)] = static_cast<std::int16_t>(runs[0].JumpAt(i));
+  }
+  for (std::size_t cell = 0; cell < At(moves.cells); ++cell) {
+    const int i = moves.pixel[cell];
+    const std::size_t entry = At(stretch.entry + i);
+    const int jump = runs[At(moves.plane[cell])].JumpAt(i);
+    row->jump[entry] = static_cast<std::int16_t>(moves.begin[cell] < moves.end[cell] ? jump : 0);
+    row->begin[entry] = static_cast<std::int16_t>(moves.begin[cell]);
+    row->end[entry] = static_cast<std::int16_t>(moves.end[cell]);
+  }
+  if (moves.several == 0) return;
   PlaneColumns columns(planes_, set, x_p, y_p);
-  for (; differ != 0; differ &= differ - 1) {
-    const auto i = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(differ));
-    const int only = OnlyOne(moves.data(), set.count, i);
-    if (only >= 0) {
-      const auto [begin, end] = columns.CellOf(static_cast<std::size_t>(only), i);
-      WriteCell(stretch.entry + i, {begin, end, JumpOf(jumps, only, i)}, shape_.disparities, row);
-      continue;
-    }
+  for (std::uint64_t several = moves.several; several != 0; several &= several - 1) {
+    const int i = FirstOf(several);
     const SurfaceColumn& column = columns.At(i);
     SegmentWriter writer(stretch.entry + i, shape_.disparities, row);
     for (int cell = 0; cell < column.cells(); ++cell) {
-      writer.WriteUpTo(column.CellEnd(cell), JumpOf(jumps, column.surface(cell), i));
+      writer.WriteUpTo(column.CellEnd(cell), runs[At(column.surface(cell))].JumpAt(i));
     }
     writer.Finish();
   }

@@ -9,13 +9,6 @@
 
 namespace stereo_sgmp {
 
-// Makes segments that were written those of an entry.
-inline void PointToSegments(std::size_t entry, std::size_t first, std::size_t count, JumpRow* row) {
-  row->jump[entry] = JumpRow::kVaries;
-  row->first_segment[entry] = static_cast<std::int32_t>(first);
-  row->segment_count[entry] = static_cast<std::int16_t>(count);
-}
-
 // Writes the segments of one entry of a JumpRow, in rising order; neighbours with equal jumps
 // become one.
 class SegmentWriter {
@@ -43,10 +36,14 @@ class SegmentWriter {
     const std::size_t count = row_.segments.size() - first_;
     if (count == 1) {
       row_.jump[entry_] = static_cast<std::int16_t>(row_.segments.back().jump);
+      row_.begin[entry_] = 0;
+      row_.end[entry_] = JumpRow::kNoEnd;
       row_.segments.pop_back();
       return;
     }
-    PointToSegments(entry_, first_, count, &row_);
+    row_.jump[entry_] = JumpRow::kVaries;
+    row_.first_segment[entry_] = static_cast<std::int32_t>(first_);
+    row_.segment_count[entry_] = static_cast<std::int16_t>(count);
   }
 
  private:
@@ -56,31 +53,6 @@ class SegmentWriter {
   int written_ = 0;
   JumpRow& row_;
 };
-
-// Writes an entry of which only one cell moves. Where that ends is random: few decisions are made.
-inline void WriteCell(int entry, JumpSegment cell, int disparities, JumpRow* row) {
-  const auto index = static_cast<std::size_t>(entry);
-  cell.begin = std::clamp(cell.begin, 0, disparities);
-  cell.end = std::clamp(cell.end, 0, disparities);
-  const bool moves_none = cell.begin >= cell.end;
-  const bool moves_all = cell.begin == 0 && cell.end == disparities;
-  if (moves_none || moves_all) {
-    row->jump[index] = static_cast<std::int16_t>(moves_all ? cell.jump : 0);
-    return;
-  }
-  const std::size_t first = row->segments.size();
-  constexpr std::size_t kMost = 3;
-  row->segments.resize(first + kMost);
-  JumpSegment* end = row->segments.data() + first;
-  *end = {0, cell.begin, 0};
-  end += cell.begin > 0 ? 1 : 0;
-  *end++ = cell;
-  *end = {cell.end, disparities, 0};
-  end += cell.end < disparities ? 1 : 0;
-  const auto count = static_cast<std::size_t>(end - row->segments.data()) - first;
-  row->segments.resize(first + count);
-  PointToSegments(index, first, count, row);
-}
 
 }  // namespace stereo_sgmp
 

@@ -35,10 +35,7 @@ void SurfacePrior::Assign(const cv::Mat& surface, const VolumeShape& shape) {
 }
 
 void SurfacePrior::Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* row) const {
-  row->jump.assign(static_cast<std::size_t>(x_end - x_begin), 0);
-  row->first_segment.resize(row->jump.size());
-  row->segment_count.resize(row->jump.size());
-  row->segments.clear();
+  row->Reset(static_cast<std::size_t>(x_end - x_begin));
   const int y_p = y - step.dy;
   if (y_p < 0 || y_p >= shape_.height) return;
   const std::int16_t* at_p = rounded_[y_p];

@@ -40,10 +40,7 @@ class FunctionPrior : public OrientationPrior {
   FunctionPrior(VolumeShape shape, reference::JumpFunction jump)
       : shape_(shape), jump_(std::move(jump)) {}
   void Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* row) const override {
-    row->jump.clear();
-    row->first_segment.clear();
-    row->segment_count.clear();
-    row->segments.clear();
+    row->Reset(0);
     for (int x = x_begin; x < x_end; ++x) {
       const auto first = row->segments.size();
       for (int d = 0; d < shape_.disparities; ++d) {
@@ -53,15 +50,30 @@ class FunctionPrior : public OrientationPrior {
         }
         row->segments.back().end = d + 1;
       }
-      const bool varies = row->segments.size() > first + 1;
-      row->jump.push_back(varies ? JumpRow::kVaries
-                                 : static_cast<std::int16_t>(row->segments.back().jump));
-      row->first_segment.push_back(static_cast<std::int32_t>(first));
-      row->segment_count.push_back(static_cast<std::int16_t>(row->segments.size() - first));
+      Point(first, x % 2 == 0, row);
     }
   }
 
  private:
+  // Adds a pixel whose segments are those from `first` on; with `as_cell` in the short form, where
+  // one of them moves or all of them alike.
+  static void Point(std::size_t first, bool as_cell, JumpRow* row) {
+    JumpSegment moving;
+    int count = 0;
+    for (std::size_t i = first; i < row->segments.size(); ++i) {
+      if (row->segments[i].jump == 0) continue;
+      moving = row->segments[i];
+      ++count;
+    }
+    const std::size_t segments = row->segments.size() - first;
+    const bool is_cell = segments == 1 || (as_cell && count == 1);
+    row->jump.push_back(is_cell ? static_cast<std::int16_t>(moving.jump) : JumpRow::kVaries);
+    row->begin.push_back(static_cast<std::int16_t>(moving.begin));
+    row->end.push_back(static_cast<std::int16_t>(moving.end));
+    row->first_segment.push_back(static_cast<std::int32_t>(first));
+    row->segment_count.push_back(static_cast<std::int16_t>(segments));
+  }
+
   VolumeShape shape_;
   reference::JumpFunction jump_;
 };

@@ -130,7 +130,13 @@ std::vector<int> ExpectedJumps(const Scene& scene, JumpPolicy policy, int x, int
 // The jump of each disparity, after checks that segments are as JumpRow promises.
 std::vector<int> Unpack(const JumpRow& row, std::size_t i, int disparities) {
   if (row.jump[i] != JumpRow::kVaries) {
-    return std::vector<int>(static_cast<std::size_t>(disparities), row.jump[i]);
+    std::vector<int> jumps(static_cast<std::size_t>(disparities), 0);
+    if (row.jump[i] == 0) return jumps;
+    const int end = std::min<int>(row.end[i], disparities);
+    EXPECT_GE(row.begin[i], 0);
+    EXPECT_GT(end, row.begin[i]);
+    std::fill(jumps.begin() + row.begin[i], jumps.begin() + end, row.jump[i]);
+    return jumps;
   }
   std::vector<int> jumps;
   EXPECT_GE(row.segment_count[i], 2);

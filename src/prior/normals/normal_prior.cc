@@ -41,10 +41,7 @@ void NormalPrior::Assign(SurfaceFamily family, const cv::Mat& placed, const Volu
 }
 
 void NormalPrior::Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* row) const {
-  row->jump.assign(static_cast<std::size_t>(x_end - x_begin), 0);
-  row->first_segment.resize(row->jump.size());
-  row->segment_count.resize(row->jump.size());
-  row->segments.clear();
+  row->Reset(static_cast<std::size_t>(x_end - x_begin));
   const int y_p = y - step.dy;
   if (y_p < 0 || y_p >= shape_.height) return;
   const int inside_begin = std::max(x_begin, step.dx);
