@@ -57,6 +57,25 @@ class RangeMasks {
   static constexpr Table kTable = MakeTable();
 };
 
+// Marks an index and its two neighbours: read at index t on, all bits of these, none of others.
+template <class T>
+class NearMasks {
+ public:
+  static const T* Around(int index) { return kTable.data() + kMost + 1 - index; }
+
+ private:
+  static constexpr int kMost = RangeMasks<T>::kMost;
+  using Table = std::array<T, 2 * kMost>;
+
+  static constexpr Table MakeTable() {
+    Table table{};
+    for (std::size_t i = kMost; i < kMost + 3; ++i) table[i] = std::numeric_limits<T>::max();
+    return table;
+  }
+
+  static constexpr Table kTable = MakeTable();
+};
+
 }  // namespace stereo_sgmp
 
 #endif  // STEREO_SGMP_AGGREGATION_LANE_MASKS_H_

@@ -11,6 +11,11 @@
 #include <cstddef>
 #include <cstdint>
 
+// Of lambdas: what is in vectors has to stay in registers from caller to callee.
+#ifndef STEREO_SGMP_INLINE_ATTR
+#define STEREO_SGMP_INLINE_ATTR HWY_ATTR __attribute__((always_inline))
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace stereo_sgmp {
 namespace HWY_NAMESPACE {
@@ -144,27 +149,6 @@ HWY_INLINE Lanes<T> AddExcess(Lanes<T> sum, Lanes<T> one, Lanes<T> other) {
     return hn::SaturatedAdd(sum, hn::AverageRound(one, other));
   } else {
     return hn::Add(sum, hn::Add(one, other));
-  }
-}
-
-// A vector of T as 16-bit numbers: the even lanes of bytes form part 0 and the odd lanes part 1, in
-// order, so that no lane crosses the vector; of 16-bit numbers there is one part.
-template <class T>
-struct SumLayout {
-  static constexpr int kParts = sizeof(T) == 1 && HWY_TARGET != HWY_SCALAR ? 2 : 1;
-};
-
-template <class T, int kPart>
-HWY_INLINE Lanes16 PartOf(Lanes<T> v) {
-  const Tag16 d;
-  if constexpr (sizeof(T) == 2) {
-    return v;
-  } else if constexpr (SumLayout<T>::kParts == 1) {
-    return hn::PromoteTo(d, v);
-  } else if constexpr (kPart == 1) {
-    return hn::ShiftRight<8>(hn::BitCast(d, v));
-  } else {
-    return hn::And(hn::BitCast(d, v), hn::Set(d, std::uint16_t{0xFF}));
   }
 }
 

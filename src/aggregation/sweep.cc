@@ -3,7 +3,7 @@
 #include <hwy/cache_control.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <limits>
 
 namespace stereo_sgmp {
 
@@ -25,8 +25,8 @@ std::size_t Sweep<T>::Memory(const VolumeShape& shape, int threads) {
   const std::size_t workspace =
       (kRowsPerGroup - 1) * StateLineBuffer<T>::Bytes(kRing, stride) +
       kSlots * PathSlot<T>::Size(stride) * sizeof(T) +
-      3 * static_cast<std::size_t>(kStretch) * static_cast<std::size_t>(stride) +
-      kRowsPerGroup * 4 * static_cast<std::size_t>(shape.width + stride);
+      (1 + sizeof(T)) * static_cast<std::size_t>(kStretch) * static_cast<std::size_t>(stride) +
+      kRowsPerGroup * kRightParts * sizeof(T) * static_cast<std::size_t>(stride);
   return 2 * StateLineBuffer<T>::Bytes(shape.width, stride) +
          static_cast<std::size_t>(threads) * workspace;
 }
@@ -57,13 +57,8 @@ void Sweep<T>::PrepareWorkspace(Workspace* workspace) const {
   workspace->slots.Resize((2 * kRowsPerGroup + kPathsPerSweep) * PathSlot<T>::Size(stride));
   std::fill_n(workspace->slots.data(), workspace->slots.size(), PathSlot<T>::kUnreachable);
   workspace->cost.Resize(kStretch * padded);
-  workspace->total.Resize(kStretch * padded);
-  for (RightRowBuffer& right : workspace->right) {
-    const auto size = static_cast<std::size_t>(shape_.width + std::abs(shape_.min_disparity) +
-                                               2 * (stride + PathSlot<T>::kPad));
-    right.cost.resize(size);
-    right.winner.resize(size);
-  }
+  workspace->excess.Resize(kStretch * padded);
+  for (AlignedBuffer<T>& right : workspace->right) right.Resize(kRightParts * padded);
 }
 
 template <class T>
@@ -81,7 +76,7 @@ void Sweep<T>::RunGroup(int group, Workspace* workspace) {
   place.group = group;
   const int first = job_.begin + group * kRowsPerGroup;
   place.rows = std::min(kRowsPerGroup, job_.end - first);
-  for (int row = 0; row < place.rows; ++row) StartRow(row, workspace);
+  for (int row = 0; row < place.rows; ++row) StartRow(row, ImageRow(first + row), workspace);
   const int span = width + place.rows - 1;  // the last row runs rows - 1 pixels behind
   for (int begin = 0; begin < span; begin += kStretch) {
     for (int row = 0; row < place.rows; ++row) {
@@ -99,22 +94,19 @@ void Sweep<T>::RunGroup(int group, Workspace* workspace) {
       if (place.IsLast()) progress_.Publish(group, u_end);
     }
   }
-  if (job_.kind != SweepKind::kLast) return;
-  for (int row = 0; row < place.rows; ++row) {
-    FinishRow(ImageRow(first + row), &workspace->right[static_cast<std::size_t>(row)]);
-  }
 }
 
 template <class T>
-void Sweep<T>::StartRow(int row, Workspace* workspace) const {
+void Sweep<T>::StartRow(int row, int y, Workspace* workspace) const {
   const auto k = static_cast<std::size_t>(row);
   const std::size_t slot = PathSlot<T>::Size(shape_.Stride());
   AcrossState<T>& across = workspace->across[k];
   across.before = workspace->slots.data() + 2 * k * slot + PathSlot<T>::kPad;
   across.here = across.before + slot;
   if (job_.kind != SweepKind::kLast) return;
-  RightRowBuffer& right = workspace->right[k];
-  std::fill(right.cost.begin(), right.cost.end(), WinnerMap::kNone);
+  AlignedBuffer<T>& right = workspace->right[k];
+  std::fill_n(right.data(), right.size(), std::numeric_limits<T>::max());
+  std::fill_n(job_.winners->right_winner[y], shape_.width, WinnerMap::kNone);
 }
 
 template <class T>
@@ -157,7 +149,7 @@ void Sweep<T>::RunStretch(const RowPlace& place, int u_begin, int u_end, Workspa
   s.p1 = static_cast<T>(job_.penalties->p1);
   s.p2 = p2_.data();
   s.start = start_.data() + PathSlot<T>::kPad;
-  s.total = workspace->total.data();
+  s.excess = workspace->excess.data();
   s.unit = static_cast<std::uint16_t>(job_.costs->unit());
   for (int i = 0; i < job_.paths; ++i) {
     const auto path = static_cast<std::size_t>(i);
@@ -174,7 +166,7 @@ void Sweep<T>::RunStretch(const RowPlace& place, int u_begin, int u_end, Workspa
     s.moved =
         workspace->slots.data() + 2 * kRowsPerGroup * PathSlot<T>::Size(static_cast<int>(stride));
   }
-  AddOutputs(y, &workspace->right[static_cast<std::size_t>(place.row)], &s);
+  AddOutputs(y, workspace->right[static_cast<std::size_t>(place.row)].data(), &s);
   SweepPixels(s);
 }
 
@@ -197,7 +189,7 @@ void Sweep<T>::AskPrior(const RowPlace& place, int u_begin, int u_end, JumpSpan*
 }
 
 template <class T>
-void Sweep<T>::AddOutputs(int y, RightRowBuffer* right, SweepStretch<T>* stretch) const {
+void Sweep<T>::AddOutputs(int y, T* right, SweepStretch<T>* stretch) const {
   if (job_.kind == SweepKind::kStates) return;
   const std::ptrdiff_t pixel = static_cast<std::ptrdiff_t>(y) * shape_.width + stretch->x_first;
   const std::ptrdiff_t last = static_cast<std::ptrdiff_t>(job_.sum_rows_end) * shape_.width - 1;
@@ -210,20 +202,7 @@ void Sweep<T>::AddOutputs(int y, RightRowBuffer* right, SweepStretch<T>* stretch
   WinnerMap& map = *job_.winners;
   stretch->winners = {map.winner[y],     map.cost[y],   map.cost_below[y],
                       map.cost_above[y], map.second[y], map.uncertainty[y]};
-  stretch->right = RightOf(right);
-}
-
-template <class T>
-RightRow Sweep<T>::RightOf(RightRowBuffer* right) const {
-  const auto size = static_cast<std::ptrdiff_t>(right->cost.size());
-  return {right->cost.data(), right->winner.data(), size / 2,
-          shape_.width - 1 + shape_.min_disparity + RightMargin()};
-}
-
-template <class T>
-void Sweep<T>::FinishRow(int y, RightRowBuffer* right) const {
-  ReadRightWinners<T>(RightOf(right), RightMargin() + shape_.width - 1, shape_.width,
-                      job_.winners->right_winner[y]);
+  stretch->right = {right, right + stretch->stride, map.right_winner[y], shape_.min_disparity};
 }
 
 template class Sweep<std::uint8_t>;

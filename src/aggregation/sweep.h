@@ -57,14 +57,10 @@ class Sweep {
   static constexpr int kRowsPerGroup = 8;
   static constexpr int kStretch = SweepStretch<T>::kMaxPixels;
   static constexpr int kRing = 32;  // power of two, >= kStretch + 2
+  // RightRow: S, and an index of two parts.
+  static constexpr std::size_t kRightParts = 3;
   // Jumps are asked for this many pixels ahead, whole stretches: it pays to ask for many.
   static constexpr int kJumpSpan = 4 * kStretch;
-
-  // Row of the right image that is being filled by one row of the last sweep.
-  struct RightRowBuffer {
-    std::vector<std::uint16_t> cost;
-    std::vector<std::uint16_t> winner;
-  };
 
   // Jumps of the next pixels of one row, from the image column x_begin on.
   struct JumpSpan {
@@ -77,11 +73,11 @@ class Sweep {
   struct Workspace {
     std::array<StateLineBuffer<T>, kRowsPerGroup - 1> rings;
     AlignedBuffer<T> slots;
-    AlignedBuffer<std::uint16_t> total;
+    AlignedBuffer<T> excess;
     std::array<AcrossState<T>, kRowsPerGroup> across;
     AlignedBuffer<std::uint8_t> cost;
     std::array<JumpSpan, kRowsPerGroup> jumps;
-    std::array<RightRowBuffer, kRowsPerGroup> right;
+    std::array<AlignedBuffer<T>, kRowsPerGroup> right;  // RightRow: costs, indices
   };
 
   // One row of a group.
@@ -98,7 +94,7 @@ class Sweep {
   void PrepareWorkspace(Workspace* workspace) const;
   void RunThread(int thread, int threads);
   void RunGroup(int group, Workspace* workspace);
-  void StartRow(int row, Workspace* workspace) const;
+  void StartRow(int row, int y, Workspace* workspace) const;
   void RunStretch(const RowPlace& place, int u_begin, int u_end, Workspace* workspace);
   StateLine<T> Above(const RowPlace& place, const Workspace& workspace) const;
   StateLine<T> Current(const RowPlace& place, const Workspace& workspace) const;
@@ -106,14 +102,10 @@ class Sweep {
     return job_.backward ? shape_.width - u_end : u_begin;
   }
   void AskPrior(const RowPlace& place, int u_begin, int u_end, JumpSpan* span) const;
-  void AddOutputs(int y, RightRowBuffer* right, SweepStretch<T>* stretch) const;
-  RightRow RightOf(RightRowBuffer* right) const;
-  void FinishRow(int y, RightRowBuffer* right) const;
+  void AddOutputs(int y, T* right, SweepStretch<T>* stretch) const;
 
   int ImageRow(int v) const { return job_.backward ? shape_.height - 1 - v : v; }
   int Groups() const { return (job_.end - job_.begin + kRowsPerGroup - 1) / kRowsPerGroup; }
-  // Places of matches left of the right image, for negative disparities.
-  int RightMargin() const { return shape_.min_disparity < 0 ? -shape_.min_disparity : 0; }
 
   SweepJob<T> job_;
   const StateLineBuffer<T>* before_ = nullptr;

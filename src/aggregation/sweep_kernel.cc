@@ -16,11 +16,6 @@ namespace stereo_sgmp {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Of lambdas: what is in vectors has to stay in registers from caller to callee.
-#ifndef STEREO_SGMP_INLINE_ATTR
-#define STEREO_SGMP_INLINE_ATTR HWY_ATTR __attribute__((always_inline))
-#endif
-
 // Moves along a stretch; calls `finish(offset, sums, minimum_sum)` for each pixel, which stands
 // `offset` pixels from the first one.
 template <class T, int kPaths, int kVectors, class Finish>
@@ -47,12 +42,6 @@ HWY_INLINE T* SumOf(const SweepStretch<T>& s, std::ptrdiff_t offset) {
   return s.sum - offset * s.stride;
 }
 
-// Where S of the i-th pixel is completed.
-template <class T>
-HWY_INLINE PixelSum<T> TotalOf(const SweepStretch<T>& s, int i, int vectors) {
-  return {s.total + i * s.stride, s.stride / PixelSum<T>::kParts, vectors};
-}
-
 template <class T, int kPaths, int kVectors>
 void First(const SweepStretch<T>& s) {
   const PixelShape<T, kVectors> shape(s.disparities);
@@ -72,42 +61,31 @@ void States(const SweepStretch<T>& s) {
       s, shape, [](std::ptrdiff_t, const Lanes<T>*, int) STEREO_SGMP_INLINE_ATTR {});
 }
 
-// S of the pixel less what its paths exceed their least by, in steps of kSumStep.
-template <class T>
-HWY_INLINE int BaseOf(const SweepStretch<T>& s, std::ptrdiff_t offset, int minimum_sum) {
-  return (s.minimum_sum[offset] + minimum_sum) / kSumStep<T>;
-}
-
-// One part of a vector of S: both halves and the base.
-template <class T, int kPart>
-HWY_INLINE Lanes16 CompletePart(Lanes<T> first, Lanes<T> last, Lanes16 base) {
-  return hn::Add(base, hn::Add(PartOf<T, kPart>(first), PartOf<T, kPart>(last)));
-}
-
-// Completes S of a pixel in `total`: `sums` and the half that was stored.
+// Completes S of a pixel from `sums` and the half that was stored: `excess` receives what it
+// exceeds the least of both halves by. Returns the latter.
 template <class T, int kVectors>
-HWY_INLINE void CompleteSum(const PixelShape<T, kVectors>& shape, const Lanes<T>* sums,
-                            const T* stored, int base, int disparities, const PixelSum<T>& total) {
-  const Tag16 d;
-  const Lanes16 bases = hn::Set(d, static_cast<std::uint16_t>(base));
+HWY_INLINE int CompleteExcess(const PixelShape<T, kVectors>& shape, const Lanes<T>* sums,
+                              const T* stored, T* excess) {
+  const Tag<T> d;
   const int last = shape.Count() - 1;
-  const auto store = [&](int part, int v, Lanes16 complete) STEREO_SGMP_INLINE_ATTR {
-    const int k = v * kLanes<std::uint16_t>;
-    if (v == last) {
-      const int count = (disparities - part + total.kParts - 1) / total.kParts - k;
-      complete = hn::Or(complete, hn::LoadU(d, LaneMasks<std::uint16_t>::From(count)));
-    }
-    hn::Store(complete, d, total.Part(part) + k);
-  };
+  Lanes<T> first_half[PixelShape<T, kVectors>::kMost];
+  Lanes<T> least_of_first = hn::Set(d, PixelExcess<T>::kMost);
+  Lanes<T> least_of_last = least_of_first;
   for (int v = 0; v <= last; ++v) {
-    const Lanes<T> half = hn::Load(Tag<T>(), stored + v * kLanes<T>);
-    store(0, v, CompletePart<T, 0>(half, sums[v], bases));
-    if constexpr (total.kParts == 2) store(1, v, CompletePart<T, 1>(half, sums[v], bases));
+    first_half[v] = hn::Load(d, stored + v * kLanes<T>);
+    const Lanes<T> unused = v == last ? shape.tail : hn::Zero(d);
+    least_of_first = hn::Min(least_of_first, hn::Or(first_half[v], unused));
+    least_of_last = hn::Min(least_of_last, hn::Or(sums[v], unused));
   }
-}
-
-HWY_INLINE std::uint16_t InOptionUnits(int sum, int unit) {
-  return static_cast<std::uint16_t>(sum * unit);
+  least_of_first = SmallestOfLanes(d, least_of_first);
+  least_of_last = SmallestOfLanes(d, least_of_last);
+  for (int v = 0; v <= last; ++v) {
+    Lanes<T> complete =
+        hn::SaturatedAdd(hn::Sub(first_half[v], least_of_first), hn::Sub(sums[v], least_of_last));
+    if (v == last) complete = hn::Or(complete, shape.tail);
+    hn::Store(complete, d, excess + v * kLanes<T>);
+  }
+  return int{hn::GetLane(least_of_first)} + int{hn::GetLane(least_of_last)};
 }
 
 // Asks for S of the pixel that comes a few later: there is too much of it for the hardware alone.
@@ -119,96 +97,92 @@ HWY_INLINE void PrefetchSum(const SweepStretch<T>& s, std::ptrdiff_t offset) {
   for (std::ptrdiff_t k = 0; k < s.stride; k += kCacheLine) hwy::Prefetch(ahead + k);
 }
 
-// Reads off the complete S of the pixel at image column x.
-template <class T>
-HWY_INLINE void ReadPixel(const SweepStretch<T>& s, const PixelSum<T>& total, std::ptrdiff_t x,
-                          int base) {
-  const WinnerRow& out = s.winners;
-  const int unit = s.unit * kSumStep<T>;
-  const LeastSum least = OfferSum(total, s.right, s.right.x_origin - static_cast<int>(x));
-  const std::uint16_t best = least.Sum();
-  const int winner = least.Index(best);
-  const bool has_below = winner > 0;
-  const bool has_above = winner + 1 < s.disparities;
-  out.winner[x] = static_cast<std::uint16_t>(winner);
-  out.cost[x] = InOptionUnits(best, unit);
-  out.cost_below[x] = has_below ? InOptionUnits(total.At(winner - 1), unit) : kNoSum;
-  out.cost_above[x] = has_above ? InOptionUnits(total.At(winner + 1), unit) : kNoSum;
-  out.uncertainty[x] = InOptionUnits(best - base, unit);
-  const std::uint16_t second = SecondBest(total, winner);
-  out.second[x] = second == kNoSum ? kNoSum : InOptionUnits(second, unit);
-}
-
 // First completes S of all pixels: those steps wait for each other, the reading does not.
 template <class T, int kPaths, int kVectors>
 void Last(const SweepStretch<T>& s) {
   const PixelShape<T, kVectors> shape(s.disparities);
-  int bases[SweepStretch<T>::kMaxPixels];
+  SumBase bases[SweepStretch<T>::kMaxPixels];
   int completed = 0;
   ForEachPixel<T, kPaths, kVectors>(
       s, shape,
       [&](std::ptrdiff_t offset, const Lanes<T>* sums, int minimum_sum) STEREO_SGMP_INLINE_ATTR {
         PrefetchSum(s, offset);
-        const int base = BaseOf(s, offset, minimum_sum);
-        CompleteSum(shape, sums, SumOf(s, offset), base, s.disparities,
-                    TotalOf(s, completed, shape.Count()));
-        bases[completed++] = base;
+        const int path_minima = (s.minimum_sum[offset] + minimum_sum) / kSumStep<T>;
+        const int excess =
+            CompleteExcess(shape, sums, SumOf(s, offset), s.excess + completed * s.stride);
+        bases[completed++] = {path_minima, path_minima + excess};
       });
-  for (int i = 0; i < completed; ++i) {
-    ReadPixel(s, TotalOf(s, i, shape.Count()), s.x_first + i * s.x_step, bases[i]);
+  RightWindow<T, kVectors> right(s, shape.Count());
+  int x = s.x_first;
+  for (int i = 0; i < completed; ++i, --x) {
+    ReadPixel(s, PixelExcess<T>{s.excess + i * s.stride, shape.Count()}, x, bases[i], &right);
   }
+  right.Finish(x + 1);
 }
 
-// 0.12 (S - min S), with 0.12 as 31 parts of 256.
+// 0.12 (S - min S) of 16-bit numbers, with 0.12 as 31 parts of 256.
 template <class T>
-HWY_INLINE Lanes16 Raised(Lanes16 sum, Lanes16 best) {
+HWY_INLINE Lanes16 RaisedPart(Lanes16 above) {
   const Tag16 d;
   constexpr std::uint16_t kWeight = 31 * kSumStep<T>;
-  constexpr std::uint16_t kLimit = kNoSum / kWeight;  // its product fits 16 bits
-  const Lanes16 above = hn::Min(hn::Sub(sum, best), hn::Set(d, kLimit));
-  return hn::ShiftRight<8>(hn::Mul(above, hn::Set(d, kWeight)));
+  constexpr std::uint16_t kLimit = 0xFFFF / kWeight;  // its product fits 16 bits
+  const Lanes16 limited = hn::Min(above, hn::Set(d, kLimit));
+  return hn::ShiftRight<8>(hn::Mul(limited, hn::Set(d, kWeight)));
 }
 
-// Costs of one vector for the second round, whose S stands at total.Part(0)[k] and, if there is
-// one, total.Part(1)[k].
+// The same of numbers of T; bytes one half of the lanes after the other.
 template <class T>
-HWY_INLINE void SharpenVector(const PixelSum<T>& total, int k, Lanes16 best, int limit,
-                              const std::uint8_t* cost, std::uint8_t* sharpened) {
-  const Tag16 d;
-  const int place = k * total.kParts;
-  const Lanes16 raised = Raised<T>(hn::Load(d, total.Part(0) + k), best);
-  if constexpr (total.kParts == 2) {
-    const Tag<T> bytes;
-    const Lanes16 odd = Raised<T>(hn::Load(d, total.Part(1) + k), best);
-    const Lanes<T> both = hn::BitCast(bytes, hn::Or(raised, hn::ShiftLeft<8>(odd)));
-    const Lanes16 pairs = hn::BitCast(d, hn::Load(bytes, cost + place));
-    const Lanes16 halves = hn::And(hn::ShiftRight<1>(pairs), hn::Set(d, std::uint16_t{0x7F7F}));
-    const Lanes<T> sum = hn::SaturatedAdd(both, hn::BitCast(bytes, halves));
-    hn::StoreU(hn::Min(sum, hn::Set(bytes, static_cast<T>(limit))), bytes, sharpened + place);
+HWY_INLINE Lanes<T> Raised(Lanes<T> above) {
+  if constexpr (sizeof(T) == 2) {
+    return RaisedPart<T>(above);
+  } else if constexpr (HWY_TARGET == HWY_SCALAR) {
+    const hn::Rebind<std::int16_t, Tag<T>> as_signed;
+    const Lanes16 raised = RaisedPart<T>(hn::PromoteTo(Tag16(), above));
+    return hn::DemoteTo(Tag<T>(), hn::BitCast(as_signed, raised));
   } else {
-    const hn::Rebind<std::uint8_t, Tag16> narrow;
-    const hn::Rebind<std::int16_t, Tag16> as_signed;
-    const Lanes16 half = hn::ShiftRight<1>(hn::PromoteTo(d, hn::Load(narrow, cost + place)));
-    const Lanes16 most = hn::Set(d, static_cast<std::uint16_t>(limit));
-    const Lanes16 sum = hn::Min(hn::Add(raised, half), most);
-    hn::StoreU(hn::DemoteTo(narrow, hn::BitCast(as_signed, sum)), narrow, sharpened + place);
+    const Tag16 d;
+    const Lanes16 pairs = hn::BitCast(d, above);
+    const Lanes16 even = RaisedPart<T>(hn::And(pairs, hn::Set(d, std::uint16_t{0xFF})));
+    const Lanes16 odd = RaisedPart<T>(hn::ShiftRight<8>(pairs));
+    return hn::BitCast(Tag<T>(), hn::Or(even, hn::ShiftLeft<8>(odd)));
   }
+}
+
+// Costs of one vector for the second round.
+HWY_INLINE void StoreSharpened(Lanes<std::uint8_t> raised, int limit, const std::uint8_t* cost,
+                               std::uint8_t* sharpened) {
+  const Tag<std::uint8_t> d;
+  // Half of the costs: their mean with nothing, rounded up, of one less.
+  const auto half = hn::AverageRound(
+      hn::SaturatedSub(hn::Load(d, cost), hn::Set(d, std::uint8_t{1})), hn::Zero(d));
+  const auto sum = hn::SaturatedAdd(raised, half);
+  hn::StoreU(hn::Min(sum, hn::Set(d, static_cast<std::uint8_t>(limit))), d, sharpened);
+}
+
+HWY_INLINE void StoreSharpened(Lanes16 raised, int limit, const std::uint8_t* cost,
+                               std::uint8_t* sharpened) {
+  const Tag16 d;
+  const hn::Rebind<std::uint8_t, Tag16> narrow;
+  const hn::Rebind<std::int16_t, Tag16> as_signed;
+  const Lanes16 half = hn::ShiftRight<1>(hn::PromoteTo(d, hn::Load(narrow, cost)));
+  const Lanes16 most = hn::Set(d, static_cast<std::uint16_t>(limit));
+  const Lanes16 sum = hn::Min(hn::Add(raised, half), most);
+  hn::StoreU(hn::DemoteTo(narrow, hn::BitCast(as_signed, sum)), narrow, sharpened);
 }
 
 template <class T, int kPaths, int kVectors>
 void Sharpen(const SweepStretch<T>& s) {
-  const Tag16 d;
   const PixelShape<T, kVectors> shape(s.disparities);
-  const PixelSum<T> total = TotalOf(s, 0, shape.Count());
+  const PixelExcess<T> excess{s.excess, shape.Count()};
   ForEachPixel<T, kPaths, kVectors>(
       s, shape, [&](std::ptrdiff_t offset, const Lanes<T>* sums, int) STEREO_SGMP_INLINE_ATTR {
         const std::ptrdiff_t place = offset * s.stride;
-        // Only differences of S matter here.
-        CompleteSum(shape, sums, SumOf(s, offset), 0, s.disparities, total);
-        const Lanes16 best = hn::Set(d, LeastOf(total));
+        CompleteExcess(shape, sums, SumOf(s, offset), s.excess);
+        const Lanes<T> best = LeastOf(excess);
         for (int v = 0; v < shape.Count(); ++v) {
-          SharpenVector(total, v * kLanes<std::uint16_t>, best, 255 / s.unit, s.cost + place,
-                        s.sharpened + place);
+          const std::ptrdiff_t k = place + v * kLanes<T>;
+          StoreSharpened(Raised<T>(hn::Sub(excess.Vector(v), best)), 255 / s.unit, s.cost + k,
+                         s.sharpened + k);
         }
       });
 }
@@ -261,9 +235,6 @@ void SweepAll(const SweepStretch<T>& s) {
 void Sweep8(const SweepStretch<std::uint8_t>& s) { SweepAll(s); }
 void Sweep16(const SweepStretch<std::uint16_t>& s) { SweepAll(s); }
 
-int Parts8() { return SumLayout<std::uint8_t>::kParts; }
-int Parts16() { return SumLayout<std::uint16_t>::kParts; }
-
 }  // namespace HWY_NAMESPACE
 }  // namespace stereo_sgmp
 HWY_AFTER_NAMESPACE();
@@ -273,8 +244,6 @@ namespace stereo_sgmp {
 
 HWY_EXPORT(Sweep8);
 HWY_EXPORT(Sweep16);
-HWY_EXPORT(Parts8);
-HWY_EXPORT(Parts16);
 
 void SweepPixels(const SweepStretch<std::uint8_t>& stretch) {
   HWY_DYNAMIC_DISPATCH(Sweep8)(stretch);
@@ -283,19 +252,6 @@ void SweepPixels(const SweepStretch<std::uint8_t>& stretch) {
 void SweepPixels(const SweepStretch<std::uint16_t>& stretch) {
   HWY_DYNAMIC_DISPATCH(Sweep16)(stretch);
 }
-
-template <class T>
-void ReadRightWinners(const RightRow& right, int first, int count, std::uint16_t* winners) {
-  const int parts =
-      sizeof(T) == 1 ? HWY_DYNAMIC_DISPATCH(Parts8)() : HWY_DYNAMIC_DISPATCH(Parts16)();
-  for (int i = 0; i < count; ++i) {
-    const std::ptrdiff_t offset = right.Offset(first - i, parts);
-    winners[i] = right.cost[offset] == WinnerMap::kNone ? WinnerMap::kNone : right.winner[offset];
-  }
-}
-
-template void ReadRightWinners<std::uint8_t>(const RightRow&, int, int, std::uint16_t*);
-template void ReadRightWinners<std::uint16_t>(const RightRow&, int, int, std::uint16_t*);
 
 }  // namespace stereo_sgmp
 #endif  // HWY_ONCE

@@ -20,7 +20,7 @@ enum class SweepKind {
   // Adds the other half and leaves the costs for the second round of PathScheme::kFourTwice,
   // C/2 + 0.12 (S - min S), at most the largest cost.
   kSharpen,
-  kLast,  // adds the other half and reads the winners off S
+  kLast,  // adds the other half and reads the winners off S; has to be a backward sweep
 };
 
 // Where the last sweep leaves what it reads off S for the pixels of one row, by image x.
@@ -33,21 +33,16 @@ struct WinnerRow {
   std::uint16_t* uncertainty = nullptr;
 };
 
-// The smallest S met so far of each pixel x' of the right image, and its disparity index. The
-// match of left pixel x at index k has the position x_origin - x + k; positions are dealt out in
-// turn to as many parts as the kernel keeps S in.
+// Pixels x' of the right image on the way through a row of the last sweep.
+template <class T>
 struct RightRow {
-  std::uint16_t* cost = nullptr;
-  std::uint16_t* winner = nullptr;
-  std::ptrdiff_t part_size = 0;
-  int x_origin = 0;
-
-  std::ptrdiff_t Offset(int position, int parts) const {
-    const auto place = static_cast<unsigned>(position);
-    const auto count = static_cast<unsigned>(parts);
-    return static_cast<std::ptrdiff_t>(place % count) * part_size +
-           static_cast<std::ptrdiff_t>(place / count);
-  }
+  // Those that the current left pixel can match, by disparity index: the smallest S met so far
+  // (in bytes in steps of 2 kSumStep), and its disparity index, in bytes its low and its high half,
+  // one stride apart.
+  T* best = nullptr;
+  T* index = nullptr;
+  std::uint16_t* winner = nullptr;  // of those that are done with, by x'
+  int min_disparity = 0;
 };
 
 // A stretch of one row for a sweep. Pixels are numbered by u in sweep order; arrays that are
@@ -87,24 +82,19 @@ struct SweepStretch {
   int first_jump = 0;
   int jump_slack = -1;
   // Scratch: kPathsPerSweep slots for messages that moved, one slot of zeros for paths that
-  // start, room for S of kMaxPixels pixels.
+  // start, room for what S of kMaxPixels pixels exceeds its base by.
   T* moved = nullptr;
   const T* start = nullptr;
-  std::uint16_t* total = nullptr;
+  T* excess = nullptr;
 
   std::uint16_t unit = 1;             // of the costs; what is read off S is multiplied by it
   std::uint8_t* sharpened = nullptr;  // kSharpen: by image x like `cost`
   WinnerRow winners;                  // kLast
-  RightRow right;                     // kLast
+  RightRow<T> right;                  // kLast
 };
 
 void SweepPixels(const SweepStretch<std::uint8_t>& stretch);
 void SweepPixels(const SweepStretch<std::uint16_t>& stretch);
-
-// Winners of `count` pixels of the right image from position `first` on, falling, as positions
-// fall with x' rising; WinnerMap::kNone where no left pixel can match. T as in SweepPixels.
-template <class T>
-void ReadRightWinners(const RightRow& right, int first, int count, std::uint16_t* winners);
 
 }  // namespace stereo_sgmp
 

@@ -10,6 +10,9 @@ namespace {
 
 using Costs = std::vector<int>;  // of one pixel, by disparity index
 
+// Sums in bytes stay at it where they would exceed it.
+constexpr int kMostInBytes = 255;
+
 int ContrastOf(const cv::Mat& guide, int x1, int y1, int x2, int y2) {
   int contrast = 0;
   const int channels = guide.channels();
@@ -30,11 +33,17 @@ int V(int d, int other, int p1, int p2) {
 // The paths of one of the two sweeps of the library.
 using Sweep = std::vector<PathStep>;
 
+// S(p, d) = minima(p) + least(p) + excess(p, d).
 struct Sums {
-  int step = 1;           // S and the base are in steps of so many units of the costs
-  std::vector<Costs> s;   // S(p, d)
-  std::vector<int> base;  // sum over r of min_d L_r(p, d)
+  int step = 1;               // all are in steps of so many units of the costs
+  std::vector<int> minima;    // sum over r of min_d L_r(p, d)
+  std::vector<int> least;     // sum over the sweeps of the least of the rest
+  std::vector<Costs> excess;  // in bytes at most kMostInBytes
+
+  int Base(std::size_t pixel) const { return minima[pixel] + least[pixel]; }
 };
+
+int Limited(int sum, int step) { return step == 1 ? sum : std::min(sum, kMostInBytes); }
 
 class Aggregation {
  public:
@@ -52,12 +61,13 @@ class Aggregation {
     const auto disparities = static_cast<std::size_t>(volume_.shape.disparities);
     Sums sums;
     sums.step = FitsBytes() ? 2 : 1;
-    sums.s.assign(pixels, Costs(disparities, 0));
-    sums.base.assign(pixels, 0);
+    sums.minima.assign(pixels, 0);
+    sums.least.assign(pixels, 0);
+    sums.excess.assign(pixels, Costs(disparities, 0));
     for (const Sweep& sweep : sweeps) AddSweep(sweep, &sums);
     for (std::size_t q = 0; q < pixels; ++q) {
-      sums.base[q] /= sums.step;
-      for (int& s : sums.s[q]) s += sums.base[q];
+      sums.minima[q] /= sums.step;
+      for (int& excess : sums.excess[q]) excess = Limited(excess, sums.step);
     }
     return sums;
   }
@@ -77,26 +87,29 @@ class Aggregation {
   // time by their mean, rounded up, and at most the largest number.
   void AddSweep(const Sweep& sweep, Sums* sums) const {
     std::vector<std::vector<Costs>> paths;
-    for (const PathStep step : sweep) paths.push_back(ExcessAlong(step, &sums->base));
+    for (const PathStep step : sweep) paths.push_back(ExcessAlong(step, &sums->minima));
     for (std::size_t q = 0; q < PixelCount(); ++q) {
-      for (std::size_t d = 0; d < sums->s[q].size(); ++d) {
-        int sum = 0;
+      Costs half(sums->excess[q].size(), 0);
+      for (std::size_t d = 0; d < half.size(); ++d) {
         for (std::size_t i = 0; i < paths.size(); i += 2) {
           const int pair = paths[i][q][d] + paths[i + 1][q][d];
-          sum += sums->step == 1 ? pair : (pair + 1) / 2;
+          half[d] += sums->step == 1 ? pair : (pair + 1) / 2;
         }
-        sums->s[q][d] += sums->step == 1 ? sum : std::min(sum, 255);
+        half[d] = Limited(half[d], sums->step);
       }
+      const int least = *std::min_element(half.begin(), half.end());
+      sums->least[q] += least;
+      for (std::size_t d = 0; d < half.size(); ++d) sums->excess[q][d] += half[d] - least;
     }
   }
 
-  // L_r(p, d) - min_d' L_r(p, d') of all pixels; adds the latter to `base`.
-  std::vector<Costs> ExcessAlong(PathStep step, std::vector<int>* base) const {
+  // L_r(p, d) - min_d' L_r(p, d') of all pixels; adds the latter to `minima`.
+  std::vector<Costs> ExcessAlong(PathStep step, std::vector<int>* minima) const {
     std::vector<Costs> path = CostsAlong(step);
     for (std::size_t q = 0; q < path.size(); ++q) {
       const int least = *std::min_element(path[q].begin(), path[q].end());
       for (int& cost : path[q]) cost -= least;
-      (*base)[q] += least;
+      (*minima)[q] += least;
     }
     return path;
   }
@@ -175,8 +188,8 @@ Volume Sharpen(const Volume& volume, const Sums& sums) {
   Volume sharpened = volume;
   const auto disparities = static_cast<std::size_t>(volume.shape.disparities);
   const int weight = 31 * sums.step;
-  for (std::size_t pixel = 0; pixel < sums.s.size(); ++pixel) {
-    const Costs& s = sums.s[pixel];
+  for (std::size_t pixel = 0; pixel < sums.excess.size(); ++pixel) {
+    const Costs& s = sums.excess[pixel];
     const int best = *std::min_element(s.begin(), s.end());
     for (std::size_t d = 0; d < disparities; ++d) {
       const int raised = std::min(s[d] - best, 65535 / weight) * weight / 256;
@@ -193,6 +206,12 @@ std::uint16_t CostOrNone(const Costs& s, int d, int unit) {
   return static_cast<std::uint16_t>(s[static_cast<std::size_t>(d)] * unit);
 }
 
+// What the left pixels that match one right pixel are compared by; in bytes half of S, rounded up.
+int OfferOf(const Sums& sums, std::size_t pixel, std::size_t d) {
+  if (sums.step == 1) return sums.Base(pixel) + sums.excess[pixel][d];
+  return (sums.excess[pixel][d] + Limited(sums.Base(pixel), sums.step) + 1) / 2;
+}
+
 void FindWinners(const Volume& volume, const Sums& sums, WinnerMap* map) {
   const VolumeShape& shape = volume.shape;
   const int unit = volume.unit * sums.step;
@@ -202,7 +221,8 @@ void FindWinners(const Volume& volume, const Sums& sums, WinnerMap* map) {
   for (int y = 0; y < shape.height; ++y) {
     for (int x = 0; x < shape.width; ++x) {
       const auto pixel = static_cast<std::size_t>(y * shape.width + x);
-      const Costs& s = sums.s[pixel];
+      Costs s = sums.excess[pixel];
+      for (int& sum : s) sum += sums.Base(pixel);
       const int winner = static_cast<int>(std::min_element(s.begin(), s.end()) - s.begin());
       int second = -1;
       for (int d = 0; d < shape.disparities; ++d) {
@@ -213,9 +233,11 @@ void FindWinners(const Volume& volume, const Sums& sums, WinnerMap* map) {
         const int right_x = x - shape.min_disparity - d;
         if (right_x < 0 || right_x >= shape.width) continue;
         int& best = right_cost(y, right_x);
+        const int offer = OfferOf(sums, pixel, static_cast<std::size_t>(d));
+        if (sums.step != 1 && offer >= kMostInBytes) continue;  // which is as good as none
         // Left pixels come from left to right, that is from small to large disparities.
-        if (s[static_cast<std::size_t>(d)] < best) {
-          best = s[static_cast<std::size_t>(d)];
+        if (offer < best) {
+          best = offer;
           map->right_winner(y, right_x) = static_cast<std::uint16_t>(d);
         }
       }
@@ -224,7 +246,7 @@ void FindWinners(const Volume& volume, const Sums& sums, WinnerMap* map) {
       map->cost_below(y, x) = CostOrNone(s, winner - 1, unit);
       map->cost_above(y, x) = CostOrNone(s, winner + 1, unit);
       map->second(y, x) = CostOrNone(s, second, unit);
-      const int excess = s[static_cast<std::size_t>(winner)] - sums.base[pixel];
+      const int excess = s[static_cast<std::size_t>(winner)] - sums.minima[pixel];
       map->uncertainty(y, x) = CostOrNone({excess}, 0, unit);
     }
   }
