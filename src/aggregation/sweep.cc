@@ -175,14 +175,18 @@ void Sweep<T>::AskPrior(const RowPlace& place, int u_begin, int u_end, JumpSpan*
   span->x_begin = ImageColumn(u_begin, u_end);
   const int x_end = span->x_begin + u_end - u_begin;
   span->moves.fill(0);
+  std::array<PathStep, kPathsPerSweep> steps = kForwardSteps;
+  if (job_.backward) {
+    for (PathStep& step : steps) step = {-step.dx, -step.dy};
+  }
+  const int y = ImageRow(place.v);
+  job_.prior->Jumps(y, span->x_begin, x_end, steps[kAcross], &span->rows[kAcross]);
+  job_.prior->JumpsOfSteps(y, span->x_begin, x_end, &steps[kDown], job_.paths - kDown,
+                           &span->rows[kDown]);
   for (int i = 0; i < job_.paths; ++i) {
-    const auto path = static_cast<std::size_t>(i);
-    const PathStep forward = kForwardSteps[path];
-    const PathStep step = job_.backward ? PathStep{-forward.dx, -forward.dy} : forward;
-    JumpRow& row = span->rows[path];
-    job_.prior->Jumps(ImageRow(place.v), span->x_begin, x_end, step, &row);
-    for (std::size_t entry = 0; entry < row.jump.size(); ++entry) {
-      const int moves = row.jump[entry] != 0 ? 1 << i : 0;
+    const std::int16_t* jumps = span->rows[static_cast<std::size_t>(i)].jump.data();
+    for (std::size_t entry = 0; entry < static_cast<std::size_t>(u_end - u_begin); ++entry) {
+      const int moves = jumps[entry] != 0 ? 1 << i : 0;
       span->moves[entry] = static_cast<std::uint8_t>(span->moves[entry] | moves);
     }
   }

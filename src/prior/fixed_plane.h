@@ -36,15 +36,18 @@ class FixedPlane {
   std::int64_t FixedAt(int x, int y) const { return a_ * x + b_ * y + c_; }
   std::int64_t FixedSlope() const { return a_; }
 
-  // The steps by (dx, dy) from pixels of row y, x and those behind it; jumps limited to +-limit.
-  PlaneRun RunFrom(int x, int y, int dx, int dy, int limit) const {
+  // Along row y, from x on.
+  PlaneRun RunFrom(int x, int y) const {
+    const std::int64_t first = FixedAt(x, y);
+    return {static_cast<std::int32_t>(first >> kFractionBits), static_cast<std::uint32_t>(first),
+            static_cast<std::int32_t>(a_ >> kFractionBits), static_cast<std::uint32_t>(a_)};
+  }
+
+  // The step by (dx, dy), with jumps limited to +-limit.
+  PlaneStep StepBy(int dx, int dy, int limit) const {
     const std::int64_t step = a_ * dx + b_ * dy;
     const std::int64_t whole = step >> kFractionBits;
-    return {RoundedAt(x, y),
-            static_cast<std::uint32_t>(FixedAt(x, y)),
-            static_cast<std::int32_t>(a_ >> kFractionBits),
-            static_cast<std::uint32_t>(a_),
-            static_cast<std::uint32_t>(step),
+    return {static_cast<std::uint32_t>(step),
             static_cast<std::int32_t>(std::clamp<std::int64_t>(whole, -limit, limit)),
             static_cast<std::int32_t>(std::clamp<std::int64_t>(whole + 1, -limit, limit))};
   }

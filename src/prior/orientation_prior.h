@@ -2,13 +2,14 @@
 #ifndef STEREO_SGMP_PRIOR_ORIENTATION_PRIOR_H_
 #define STEREO_SGMP_PRIOR_ORIENTATION_PRIOR_H_
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace stereo_sgmp {
 
-// One step of a path: from p = q - r to q, with r = (dx, dy).
+// One step of a path: from p = q - r to its neighbour q, with r = (dx, dy).
 struct PathStep {
   int dx = 0;
   int dy = 0;
@@ -38,14 +39,20 @@ struct JumpRow {
   std::vector<std::int16_t> segment_count;
   std::vector<JumpSegment> segments;
 
-  // `count` pixels whose jump is 0 and, once it is set, that of all disparities.
+  // `count` pixels without a jump; their begin and end are unspecified.
   void Reset(std::size_t count) {
     jump.assign(count, 0);
-    begin.assign(count, 0);
-    end.assign(count, kNoEnd);
+    begin.resize(count);
+    end.resize(count);
     first_segment.resize(count);
     segment_count.resize(count);
     segments.clear();
+  }
+
+  // Makes all jumps those of all disparities.
+  void MoveAll() {
+    std::fill(begin.begin(), begin.end(), std::int16_t{0});
+    std::fill(end.begin(), end.end(), kNoEnd);
   }
 };
 
@@ -59,6 +66,12 @@ class OrientationPrior {
   // x - x_begin each; 0 where p lies outside the image or has no surface. Disparity indices
   // count from min_disparity. Uses the storage of `row` again.
   virtual void Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* row) const = 0;
+
+  // The same for `count` steps of one dy, whose p share a row: rows[i] is for steps[i].
+  virtual void JumpsOfSteps(int y, int x_begin, int x_end, const PathStep* steps, int count,
+                            JumpRow* rows) const {
+    for (int i = 0; i < count; ++i) Jumps(y, x_begin, x_end, steps[i], rows + i);
+  }
 };
 
 }  // namespace stereo_sgmp

@@ -38,19 +38,22 @@ HWY_INLINE std::uint64_t BitsOf(Mask mask) {
   return all;
 }
 
-// Bit by bit, at which of `count` pixels the fraction carries on the step to q.
-HWY_INLINE std::uint64_t CarriesOf(const PlaneRun& plane, int count) {
+// Bit by bit, at which of `count` pixels the fraction carries on each of some steps to q.
+template <int kSteps>
+HWY_INLINE void FindCarries(const PlaneRun& plane, const PlaneStep* const (&steps)[kSteps],
+                            int count, std::uint64_t (&carries)[kSteps]) {
   const Unsigned d;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  const VU step = hn::Set(d, plane.step);
   const VU stride = hn::Set(d, plane.slope * static_cast<std::uint32_t>(lanes));
   VU at_p = FractionsAt(plane, hn::Iota(d, 0U));
-  std::uint64_t carries = 0;
+  for (std::uint64_t& bits : carries) bits = 0;
   for (int i = 0; i < count; i += lanes) {
-    carries |= BitsOf(hn::Lt(hn::Add(at_p, step), at_p)) << i;
+    for (int s = 0; s < kSteps; ++s) {
+      const VU at_q = hn::Add(at_p, hn::Set(d, steps[s]->fraction));
+      carries[s] |= BitsOf(hn::Lt(at_q, at_p)) << i;
+    }
     at_p = hn::Add(at_p, stride);
   }
-  return carries;
 }
 
 // S^ after `steps` pixels, fewer than 2^16.
@@ -103,16 +106,15 @@ HWY_INLINE void FindCells(const PlaneRun* planes, int plane_count, VU steps, VS 
   *end = hn::IfThenElse(hn::Ne(has_none, hn::Zero(d)), *begin, FirstNearer(own, above, all));
 }
 
-// Fills `begin` and `end` of the cells that are listed.
-HWY_INLINE void FindAllCells(const PlaneRun* planes, int plane_count, int disparities,
-                             PlaneMoves* moves) {
+// Fills `begin` and `end` of the `count` cells that are listed.
+HWY_INLINE void FindAllCells(const PlaneRuns& runs, int count, PlaneMoves* moves) {
   const Signed d;
-  for (int i = 0; i < moves->cells; i += static_cast<int>(hn::Lanes(d))) {
+  for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
     const VU steps = hn::BitCast(Unsigned(), hn::LoadU(d, moves->pixel.data() + i));
     VS begin;
     VS end;
-    FindCells(planes, plane_count, steps, hn::LoadU(d, moves->plane.data() + i), disparities,
-              &begin, &end);
+    FindCells(runs.planes, runs.plane_count, steps, hn::LoadU(d, moves->plane.data() + i),
+              runs.disparities, &begin, &end);
     hn::StoreU(begin, d, moves->begin.data() + i);
     hn::StoreU(end, d, moves->end.data() + i);
   }
@@ -121,44 +123,88 @@ HWY_INLINE void FindAllCells(const PlaneRun* planes, int plane_count, int dispar
 // All bits if `is_true`, else none.
 HWY_INLINE std::uint64_t AllBits(bool is_true) { return is_true ? ~std::uint64_t{0} : 0; }
 
-// Where the jumps of two planes differ.
-HWY_INLINE std::uint64_t DifferenceOf(const PlaneRun& a, std::uint64_t carries_a, const PlaneRun& b,
-                                      std::uint64_t carries_b) {
-  return (carries_a & carries_b & AllBits(a.jump_with_carry != b.jump_with_carry)) |
-         (carries_a & ~carries_b & AllBits(a.jump_with_carry != b.jump)) |
-         (~carries_a & carries_b & AllBits(a.jump != b.jump_with_carry)) |
-         (~carries_a & ~carries_b & AllBits(a.jump != b.jump));
-}
-
-void FollowRuns(const PlaneRun* planes, int plane_count, int count, int disparities,
-                PlaneMoves* moves) {
-  const std::uint64_t pixels = ~std::uint64_t{0} >> (kMaxPlaneRun - count);
+// The jumps of all planes on one step, pixel by pixel as bits.
+struct StepBits {
   std::uint64_t jumps[PlaneSet::kMaxPlanes];  // of each plane, where it has one
-  std::uint64_t any = 0;
-  std::uint64_t more = 0;
-  std::uint64_t differ = 0;
-  std::uint64_t first_carries = 0;
-  for (int k = 0; k < plane_count; ++k) {
-    const PlaneRun& plane = planes[k];
-    const std::uint64_t carries = CarriesOf(plane, count);
-    if (k == 0) first_carries = carries;
-    jumps[k] = pixels & ((carries & AllBits(plane.jump_with_carry != 0)) |
-                         (~carries & AllBits(plane.jump != 0)));
+  std::uint64_t any;
+  std::uint64_t more;  // where more than one plane has one
+  std::uint64_t all;   // where all have one
+
+  HWY_INLINE void Start(std::uint64_t pixels) {
+    any = 0;
+    more = 0;
+    all = pixels;
+  }
+
+  HWY_INLINE void Add(int k, const PlaneStep& step, std::uint64_t carries, std::uint64_t pixels) {
+    jumps[k] = pixels & ((carries & AllBits(step.jump_with_carry != 0)) |
+                         (~carries & AllBits(step.jump != 0)));
     more |= any & jumps[k];
     any |= jumps[k];
-    differ |= DifferenceOf(planes[0], first_carries, plane, carries);
+    all &= jumps[k];
   }
-  moves->alike = any & ~differ;
-  moves->several = differ & more;
-  moves->cells = 0;
+};
+
+// Of the pixels where all planes jump, those where they jump by the same.
+HWY_INLINE std::uint64_t FindAlike(const PlaneRuns& runs, int step, std::uint64_t all) {
+  std::uint64_t alike = 0;
+  for (; all != 0; all &= all - 1) {
+    const int i = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(all));
+    const int first = runs.JumpAt(step, 0, i);
+    bool is_alike = true;
+    for (int k = 1; k < runs.plane_count; ++k) is_alike &= runs.JumpAt(step, k, i) == first;
+    alike |= std::uint64_t{is_alike} << i;
+  }
+  return alike;
+}
+
+// Lists the pixels at which a plane jumps alone. Returns the number of cells listed so far.
+HWY_INLINE int ListCells(const StepBits& bits, std::uint64_t alike, int plane_count, int cells,
+                         PlaneMoves* moves) {
   for (int k = 0; k < plane_count; ++k) {
-    for (std::uint64_t alone = jumps[k] & differ & ~more; alone != 0; alone &= alone - 1) {
-      const auto cell = static_cast<std::size_t>(moves->cells++);
+    std::uint64_t alone = bits.jumps[k] & ~(bits.more | alike);
+    for (; alone != 0; alone &= alone - 1, ++cells) {
+      const auto cell = static_cast<std::size_t>(cells);
       moves->pixel[cell] = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(alone));
       moves->plane[cell] = k;
     }
   }
-  FindAllCells(planes, plane_count, disparities, moves);
+  return cells;
+}
+
+template <int kSteps>
+HWY_INLINE void FollowSteps(const PlaneRuns& runs, PlaneMoves* moves) {
+  StepBits bits[kSteps];
+  for (int s = 0; s < kSteps; ++s) bits[s].Start(runs.pixels[s]);
+  for (int k = 0; k < runs.plane_count; ++k) {
+    const PlaneStep* steps[kSteps];
+    for (int s = 0; s < kSteps; ++s) steps[s] = &runs.StepOf(s, k);
+    std::uint64_t carries[kSteps];
+    FindCarries(runs.planes[k], steps, runs.count, carries);
+    for (int s = 0; s < kSteps; ++s) bits[s].Add(k, *steps[s], carries[s], runs.pixels[s]);
+  }
+  int cells = 0;
+  for (int s = 0; s < kSteps; ++s) {
+    const auto step = static_cast<std::size_t>(s);
+    const std::uint64_t alike = FindAlike(runs, s, bits[s].all);
+    cells = ListCells(bits[s], alike, runs.plane_count, cells, moves);
+    moves->alike[step] = alike;
+    moves->several[step] = bits[s].more & ~alike;
+    moves->cells_end[step] = cells;
+  }
+  FindAllCells(runs, cells, moves);
+}
+
+void FollowRuns(const PlaneRuns& runs, PlaneMoves* moves) {
+  static_assert(kMaxPlaneSteps == 3, "one case for each number of steps");
+  switch (runs.step_count) {
+    case 1:
+      return FollowSteps<1>(runs, moves);
+    case 2:
+      return FollowSteps<2>(runs, moves);
+    default:
+      return FollowSteps<3>(runs, moves);
+  }
 }
 
 }  // namespace HWY_NAMESPACE
@@ -170,9 +216,8 @@ namespace stereo_sgmp {
 
 HWY_EXPORT(FollowRuns);
 
-void FollowPlaneRuns(const PlaneRun* planes, int plane_count, int count, int disparities,
-                     PlaneMoves* moves) {
-  HWY_DYNAMIC_DISPATCH(FollowRuns)(planes, plane_count, count, disparities, moves);
+void FollowPlaneRuns(const PlaneRuns& runs, PlaneMoves* moves) {
+  HWY_DYNAMIC_DISPATCH(FollowRuns)(runs, moves);
 }
 
 }  // namespace stereo_sgmp

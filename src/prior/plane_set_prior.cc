@@ -35,9 +35,54 @@ void CheckSets(const std::vector<DisparityPlane>& planes, const PlaneSets& sets)
 
 std::size_t At(int i) { return static_cast<std::size_t>(i); }
 
+// Numbers the steps to the neighbours of a pixel.
+std::size_t SlotOf(PathStep step) { return At((step.dy + 1) * 3 + step.dx + 1); }
+
 // The lowest bit that is set; there has to be one.
 int FirstOf(std::uint64_t bits) {
   return static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
+}
+
+// The bits from `begin` to `end`, as far as they are among the lowest `count`, up to 64.
+std::uint64_t BitsFrom(int begin, int end, int count) {
+  begin = std::clamp(begin, 0, count);
+  end = std::clamp(end, begin, count);
+  if (begin == end) return 0;
+  return (~std::uint64_t{0} >> (64 - (end - begin))) << begin;
+}
+
+// Writes what one step does to the entries of its row. `entry` is that of the run's first pixel.
+void WriteMoves(const PlaneRuns& runs, const PlaneMoves& moves, int step, int entry, JumpRow* row) {
+  const std::size_t s = At(step);
+  for (std::uint64_t alike = moves.alike[s]; alike != 0; alike &= alike - 1) {
+    const int i = FirstOf(alike);
+    row->jump[At(entry + i)] = static_cast<std::int16_t>(runs.JumpAt(step, 0, i));
+    row->begin[At(entry + i)] = 0;
+    row->end[At(entry + i)] = JumpRow::kNoEnd;
+  }
+  for (std::size_t cell = At(step > 0 ? moves.cells_end[s - 1] : 0); cell < At(moves.cells_end[s]);
+       ++cell) {
+    const int i = moves.pixel[cell];
+    const int jump = runs.JumpAt(step, moves.plane[cell], i);
+    const std::size_t place = At(entry + i);
+    row->jump[place] = static_cast<std::int16_t>(moves.begin[cell] < moves.end[cell] ? jump : 0);
+    row->begin[place] = static_cast<std::int16_t>(moves.begin[cell]);
+    row->end[place] = static_cast<std::int16_t>(moves.end[cell]);
+  }
+}
+
+// The same for the pixels of `several`, at which `columns` are cut.
+void WriteSeveral(const PlaneRuns& runs, std::uint64_t several, int step, int entry,
+                  PlaneColumns* columns, JumpRow* row) {
+  for (; several != 0; several &= several - 1) {
+    const int i = FirstOf(several);
+    const SurfaceColumn& column = columns->At(i);
+    SegmentWriter writer(entry + i, runs.disparities, row);
+    for (int cell = 0; cell < column.cells(); ++cell) {
+      writer.WriteUpTo(column.CellEnd(cell), runs.JumpAt(step, column.surface(cell), i));
+    }
+    writer.Finish();
+  }
 }
 
 }  // namespace
@@ -53,7 +98,18 @@ void PlaneSetPrior::Assign(const std::vector<DisparityPlane>& planes, const Plan
   for (const DisparityPlane& plane : planes) {
     planes_.emplace_back(DisparityPlane{plane.a, plane.b, plane.c - shape.min_disparity});
   }
+  for (int dy = -1; dy <= 1; ++dy) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      std::vector<PlaneStep>& steps = steps_[SlotOf({dx, dy})];
+      steps.clear();
+      for (const FixedPlane& plane : planes_) {
+        steps.push_back(plane.StepBy(dx, dy, shape.disparities));
+      }
+    }
+  }
   MapColumns();
+  MapRows();
+  MapRuns();
 }
 
 void PlaneSetPrior::MapColumns() {
@@ -71,111 +127,144 @@ void PlaneSetPrior::MapColumns() {
   }
 }
 
-void PlaneSetPrior::Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* row) const {
-  row->Reset(static_cast<std::size_t>(x_end - x_begin));
-  const int y_p = y - step.dy;
-  // Pixels whose predecessor lies inside.
-  const int inside_begin = std::clamp(step.dx, x_begin, x_end);
-  const int inside_end = std::clamp(shape_.width + step.dx, inside_begin, x_end);
-  if (y_p < 0 || y_p >= shape_.height) return;
+void PlaneSetPrior::MapRows() {
+  row_of_.resize(At(shape_.height));
+  for (int y = 0; y < shape_.height; ++y) row_of_[At(y)] = CellOf(y, shape_.height, sets_.ids.rows);
+}
 
-  const std::uint16_t* ids_p = IdsOfRow(y_p);
-  const std::uint16_t* ids_q = IdsOfRow(y);
-  Stretch stretch;
-  stretch.y = y;
-  stretch.step = step;
-  for (int x = inside_begin; x < inside_end; x = stretch.x_end) {
-    const int x_p = x - step.dx;
-    stretch.x_begin = x;
-    stretch.x_end = std::min({inside_end, x + kMaxPlaneRun, RunEnd(ids_p, x_p) + step.dx});
-    if (policy_ == JumpPolicy::kLiteral) {
-      stretch.x_end = std::min(stretch.x_end, RunEnd(ids_q, x));
+void PlaneSetPrior::MapRuns() {
+  const int columns = sets_.ids.cols;
+  run_end_.resize(sets_.ids.total());
+  for (int row = 0; row < sets_.ids.rows; ++row) {
+    const std::uint16_t* ids = sets_.ids.ptr<std::uint16_t>(row);
+    std::int32_t* ends = run_end_.data() + row * std::ptrdiff_t{columns};
+    int end = columns;
+    for (int column = columns - 1; column >= 0; --column) {
+      if (column + 1 < columns && ids[column] != ids[column + 1]) end = column + 1;
+      ends[column] = end;
     }
-    stretch.entry = x - x_begin;
-    stretch.at_p = &sets_.sets[ids_p[column_of_[static_cast<std::size_t>(x_p)]]];
-    stretch.at_q = &sets_.sets[ids_q[column_of_[static_cast<std::size_t>(x)]]];
-    FillStretch(stretch, row);
   }
 }
 
-const std::uint16_t* PlaneSetPrior::IdsOfRow(int y) const {
-  return sets_.ids.ptr<std::uint16_t>(CellOf(y, shape_.height, sets_.ids.rows));
+void PlaneSetPrior::Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* row) const {
+  JumpsOfSteps(y, x_begin, x_end, &step, 1, row);
+}
+
+void PlaneSetPrior::JumpsOfSteps(int y, int x_begin, int x_end, const PathStep* steps, int count,
+                                 JumpRow* rows) const {
+  for (int i = 0; i < count; ++i) rows[i].Reset(At(x_end - x_begin));
+  const int y_p = y - steps[0].dy;
+  if (y_p < 0 || y_p >= shape_.height) return;
+  Question question{y, x_begin, x_end, steps, count, rows, x_begin};
+  if (policy_ == JumpPolicy::kSameSurface && count <= kMaxPlaneSteps) {
+    FollowSurfaces(question);
+    return;
+  }
+  for (int i = 0; i < count; ++i) {
+    question.steps = steps + i;
+    question.step_count = 1;
+    question.rows = rows + i;
+    policy_ == JumpPolicy::kSameSurface ? FollowSurfaces(question) : FollowLabels(question);
+  }
+}
+
+// Of the pixel column x, in a row of the set image.
+const PlaneSet& PlaneSetPrior::SetAt(int x, int row) const {
+  return sets_.sets[sets_.ids.ptr<std::uint16_t>(row)[column_of_[At(x)]]];
 }
 
 // The first pixel column after x with another set.
-int PlaneSetPrior::RunEnd(const std::uint16_t* ids, int x) const {
-  int column = column_of_[static_cast<std::size_t>(x)];
-  const std::uint16_t id = ids[column];
-  do {
-    ++column;
-  } while (column < sets_.ids.cols && ids[column] == id);
-  return column_begin_[static_cast<std::size_t>(column)];
+int PlaneSetPrior::RunEnd(int x, int row) const {
+  const std::size_t place = At(row) * At(sets_.ids.cols) + At(column_of_[At(x)]);
+  return column_begin_[At(run_end_[place])];
 }
 
 const FixedPlane& PlaneSetPrior::PlaneOf(const PlaneSet& set, int k) const {
-  return planes_[static_cast<std::size_t>(set.planes[static_cast<std::size_t>(k)])];
+  return planes_[At(set.planes[At(k)])];
 }
 
-void PlaneSetPrior::FillStretch(const Stretch& stretch, JumpRow* row) const {
-  const PlaneSet& set = *stretch.at_p;
-  if (set.count == 0) return;
-  const bool same_plane = policy_ == JumpPolicy::kSameSurface || stretch.at_p == stretch.at_q;
-  if (policy_ == JumpPolicy::kSameSurface || (set.count == 1 && same_plane)) {
-    FollowPlanes(stretch, row);
-  } else if (stretch.at_q->count > 0) {
-    FollowLabels(stretch, row);
+// The planes at each p, followed to all q.
+void PlaneSetPrior::FollowSurfaces(const Question& question) const {
+  int most_left = question.steps[0].dx;
+  int most_right = most_left;
+  for (int s = 1; s < question.step_count; ++s) {
+    most_left = std::min(most_left, question.steps[s].dx);
+    most_right = std::max(most_right, question.steps[s].dx);
+  }
+  const int row = row_of_[At(question.y - question.steps[0].dy)];
+  const int end = std::min(shape_.width, question.end - most_left);
+  int x_end = 0;
+  for (int x = std::max(0, question.begin - most_right); x < end; x = x_end) {
+    x_end = std::min({end, x + kMaxPlaneRun, RunEnd(x, row)});
+    const PlaneSet& set = SetAt(x, row);
+    if (set.count > 0) FollowRun(question, set, x, x_end - x);
   }
 }
 
-// The planes at p, each followed to q.
-void PlaneSetPrior::FollowPlanes(const Stretch& stretch, JumpRow* row) const {
-  const PlaneSet& set = *stretch.at_p;
-  const int count = stretch.x_end - stretch.x_begin;
-  const int x_p = stretch.x_begin - stretch.step.dx;
-  const int y_p = stretch.y - stretch.step.dy;
+// The planes of a set along `count` pixels p, followed to those q that are asked for.
+void PlaneSetPrior::FollowRun(const Question& question, const PlaneSet& set, int x_p,
+                              int count) const {
   // Set as far as they are read; clearing them would take longer than all else here.
-  std::array<PlaneRun, PlaneSet::kMaxPlanes> runs;  // NOLINT(*-pro-type-member-init)
-  PlaneMoves moves;                                 // NOLINT(*-pro-type-member-init)
-  for (int k = 0; k < set.count; ++k) {
-    runs[static_cast<std::size_t>(k)] =
-        PlaneOf(set, k).RunFrom(x_p, y_p, stretch.step.dx, stretch.step.dy, shape_.disparities);
+  std::array<PlaneRun, PlaneSet::kMaxPlanes> planes;   // NOLINT(*-member-init)
+  std::array<const PlaneStep*, kMaxPlaneSteps> steps;  // NOLINT(*-member-init)
+  std::array<std::uint64_t, kMaxPlaneSteps> pixels;    // NOLINT(*-member-init)
+  PlaneMoves moves;                                    // NOLINT(*-member-init)
+  const int y_p = question.y - question.steps[0].dy;
+  for (int k = 0; k < set.count; ++k) planes[At(k)] = PlaneOf(set, k).RunFrom(x_p, y_p);
+  for (int s = 0; s < question.step_count; ++s) {
+    const PathStep step = question.steps[s];
+    const int shift = step.dx + x_p;
+    steps[At(s)] = steps_[SlotOf(step)].data();
+    pixels[At(s)] = BitsFrom(std::max(question.begin, 0) - shift,
+                             std::min(question.end, shape_.width) - shift, count);
   }
-  FollowPlaneRuns(runs.data(), set.count, count, shape_.disparities, &moves);
-  for (std::uint64_t alike = moves.alike; alike != 0; alike &= alike - 1) {
-    const int i = FirstOf(alike);
-    row->jump[At(stretch.entry + i)] = static_cast<std::int16_t>(runs[0].JumpAt(i));
+  const PlaneRuns runs{planes.data(),       set.count,    count,
+                       shape_.disparities,  steps.data(), set.planes.data(),
+                       question.step_count, pixels.data()};
+  FollowPlaneRuns(runs, &moves);
+  for (int s = 0; s < question.step_count; ++s) {
+    const int entry = x_p + question.steps[s].dx - question.first_x;
+    WriteMoves(runs, moves, s, entry, question.rows + s);
+    if (moves.several[At(s)] == 0) continue;
+    PlaneColumns columns(planes_, set, x_p, y_p);
+    WriteSeveral(runs, moves.several[At(s)], s, entry, &columns, question.rows + s);
   }
-  for (std::size_t cell = 0; cell < At(moves.cells); ++cell) {
-    const int i = moves.pixel[cell];
-    const std::size_t entry = At(stretch.entry + i);
-    const int jump = runs[At(moves.plane[cell])].JumpAt(i);
-    row->jump[entry] = static_cast<std::int16_t>(moves.begin[cell] < moves.end[cell] ? jump : 0);
-    row->begin[entry] = static_cast<std::int16_t>(moves.begin[cell]);
-    row->end[entry] = static_cast<std::int16_t>(moves.end[cell]);
-  }
-  if (moves.several == 0) return;
-  PlaneColumns columns(planes_, set, x_p, y_p);
-  for (std::uint64_t several = moves.several; several != 0; several &= several - 1) {
-    const int i = FirstOf(several);
-    const SurfaceColumn& column = columns.At(i);
-    SegmentWriter writer(stretch.entry + i, shape_.disparities, row);
-    for (int cell = 0; cell < column.cells(); ++cell) {
-      writer.WriteUpTo(column.CellEnd(cell), runs[At(column.surface(cell))].JumpAt(i));
+}
+
+// For the literal policy, one step: runs end where the set at p or at q does.
+void PlaneSetPrior::FollowLabels(const Question& question) const {
+  const PathStep step = question.steps[0];
+  const int row_p = row_of_[At(question.y - step.dy)];
+  const int row_q = row_of_[At(question.y)];
+  // Pixels whose predecessor lies inside.
+  const int begin = std::clamp(step.dx, question.begin, question.end);
+  const int end = std::clamp(shape_.width + step.dx, begin, question.end);
+  Question part = question;
+  for (part.begin = begin; part.begin < end; part.begin = part.end) {
+    const int x_p = part.begin - step.dx;
+    part.end = std::min(
+        {end, part.begin + kMaxPlaneRun, RunEnd(x_p, row_p) + step.dx, RunEnd(part.begin, row_q)});
+    const PlaneSet& at_p = SetAt(x_p, row_p);
+    const PlaneSet& at_q = SetAt(part.begin, row_q);
+    if (at_p.count == 1 && &at_p == &at_q) {
+      FollowRun(part, at_p, x_p, part.end - part.begin);
+    } else if (at_p.count > 0 && at_q.count > 0) {
+      FollowNearest(part, at_p, at_q);
     }
-    writer.Finish();
   }
 }
 
 // Each disparity steps from its nearest surface at p to its nearest surface at q: the cells of
 // both columns cut it.
-void PlaneSetPrior::FollowLabels(const Stretch& stretch, JumpRow* row) const {
-  PlaneColumns columns_p(planes_, *stretch.at_p, stretch.x_begin - stretch.step.dx,
-                         stretch.y - stretch.step.dy);
-  PlaneColumns columns_q(planes_, *stretch.at_q, stretch.x_begin, stretch.y);
-  for (int n = 0; n < stretch.x_end - stretch.x_begin; ++n) {
+void PlaneSetPrior::FollowNearest(const Question& question, const PlaneSet& at_p,
+                                  const PlaneSet& at_q) const {
+  const PathStep step = question.steps[0];
+  PlaneColumns columns_p(planes_, at_p, question.begin - step.dx, question.y - step.dy);
+  PlaneColumns columns_q(planes_, at_q, question.begin, question.y);
+  for (int n = 0; n < question.end - question.begin; ++n) {
     const SurfaceColumn& p = columns_p.At(n);
     const SurfaceColumn& q = columns_q.At(n);
-    SegmentWriter writer(stretch.entry + n, shape_.disparities, row);
+    SegmentWriter writer(question.begin - question.first_x + n, shape_.disparities, question.rows);
     for (int i = 0, j = 0; i < p.cells() && j < q.cells();) {
       const int end_p = p.CellEnd(i);
       const int end_q = q.CellEnd(j);

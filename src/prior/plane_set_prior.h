@@ -2,6 +2,7 @@
 #ifndef STEREO_SGMP_PRIOR_PLANE_SET_PRIOR_H_
 #define STEREO_SGMP_PRIOR_PLANE_SET_PRIOR_H_
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -31,34 +32,43 @@ class PlaneSetPrior : public OrientationPrior {
               const VolumeShape& shape, JumpPolicy policy);
 
   void Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* row) const override;
+  void JumpsOfSteps(int y, int x_begin, int x_end, const PathStep* steps, int count,
+                    JumpRow* rows) const override;
 
  private:
-  // Pixels q of a row whose p all hold one set and, for the literal policy, whose q do.
-  struct Stretch {
-    int x_begin = 0;
-    int x_end = 0;
+  // The steps that are asked for: those to the pixels q of row y from `begin` to `end`.
+  struct Question {
     int y = 0;
-    PathStep step;
-    int entry = 0;  // of x_begin in the row
-    const PlaneSet* at_p = nullptr;
-    const PlaneSet* at_q = nullptr;
+    int begin = 0;
+    int end = 0;
+    const PathStep* steps = nullptr;  // of one dy
+    int step_count = 0;
+    JumpRow* rows = nullptr;
+    int first_x = 0;  // of the entries of the rows
   };
 
   void MapColumns();
-  const std::uint16_t* IdsOfRow(int y) const;
-  int RunEnd(const std::uint16_t* ids, int x) const;
+  void MapRows();
+  void MapRuns();
+  const PlaneSet& SetAt(int x, int row) const;
+  int RunEnd(int x, int row) const;
   const FixedPlane& PlaneOf(const PlaneSet& set, int k) const;
 
-  void FillStretch(const Stretch& stretch, JumpRow* row) const;
-  void FollowPlanes(const Stretch& stretch, JumpRow* row) const;
-  void FollowLabels(const Stretch& stretch, JumpRow* row) const;
+  void FollowSurfaces(const Question& question) const;
+  void FollowLabels(const Question& question) const;
+  void FollowNearest(const Question& question, const PlaneSet& at_p, const PlaneSet& at_q) const;
+  void FollowRun(const Question& question, const PlaneSet& set, int x_p, int count) const;
 
   VolumeShape shape_;
   JumpPolicy policy_ = JumpPolicy::kSameSurface;
-  std::vector<FixedPlane> planes_;  // in disparity indices
+  std::vector<FixedPlane> planes_;               // in disparity indices
+  std::array<std::vector<PlaneStep>, 9> steps_;  // of each plane, to each neighbour of a pixel
   PlaneSets sets_;
   std::vector<std::int32_t> column_of_;     // per pixel column: its column of the set image
+  std::vector<std::int32_t> row_of_;        // per pixel row: its row of the set image
   std::vector<std::int32_t> column_begin_;  // per column of the set image: its first pixel's
+  // Of the set image: the first column behind each that holds another set.
+  std::vector<std::int32_t> run_end_;
 };
 
 }  // namespace stereo_sgmp

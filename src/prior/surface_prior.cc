@@ -36,6 +36,7 @@ void SurfacePrior::Assign(const cv::Mat& surface, const VolumeShape& shape) {
 
 void SurfacePrior::Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* row) const {
   row->Reset(static_cast<std::size_t>(x_end - x_begin));
+  row->MoveAll();
   const int y_p = y - step.dy;
   if (y_p < 0 || y_p >= shape_.height) return;
   const std::int16_t* at_p = rounded_[y_p];

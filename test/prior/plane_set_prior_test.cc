@@ -173,6 +173,34 @@ void ExpectEqualsScan(const Scene& scene, JumpPolicy policy, int span) {
   }
 }
 
+// Steps that are asked for together are those that are asked for one by one.
+void ExpectTogetherAsAlone(const Scene& scene, JumpPolicy policy, int span) {
+  const std::vector<std::vector<PathStep>> groups = {
+      {{1, 0}}, {{0, 1}, {1, 1}, {-1, 1}}, {{0, -1}, {-1, -1}}, {{1, 1}, {0, 1}, {1, 1}, {-1, 1}}};
+  PlaneSetPrior prior;
+  prior.Assign(scene.planes, scene.sets, scene.shape, policy);
+  std::vector<JumpRow> together(4);
+  JumpRow alone;
+  for (const std::vector<PathStep>& steps : groups) {
+    for (int y = 0; y < scene.shape.height; ++y) {
+      for (int begin = 0; begin < scene.shape.width; begin += span) {
+        const int end = std::min(scene.shape.width, begin + span);
+        prior.JumpsOfSteps(y, begin, end, steps.data(), static_cast<int>(steps.size()),
+                           together.data());
+        for (std::size_t s = 0; s < steps.size(); ++s) {
+          prior.Jumps(y, begin, end, steps[s], &alone);
+          for (int x = begin; x < end; ++x) {
+            const auto entry = static_cast<std::size_t>(x - begin);
+            ASSERT_EQ(Unpack(together[s], entry, scene.shape.disparities),
+                      Unpack(alone, entry, scene.shape.disparities))
+                << "x " << x << " y " << y << " step " << steps[s].dx << " " << steps[s].dy;
+          }
+        }
+      }
+    }
+  }
+}
+
 struct Case {
   int width, height, disparities, min_disparity;
   cv::Size coarse;
@@ -192,6 +220,8 @@ TEST_P(PlaneSetPriorScan, EqualsForwardAndBackwardScan) {
     ExpectEqualsScan(scene, JumpPolicy::kSameSurface, 37);
     ExpectEqualsScan(scene, JumpPolicy::kSameSurface, 200);
     ExpectEqualsScan(scene, JumpPolicy::kLiteral, 37);
+    ExpectTogetherAsAlone(scene, JumpPolicy::kSameSurface, 48);
+    ExpectTogetherAsAlone(scene, JumpPolicy::kLiteral, 48);
   }
   hwy::SetSupportedTargetsForTest(0);
 }

@@ -42,6 +42,7 @@ void NormalPrior::Assign(SurfaceFamily family, const cv::Mat& placed, const Volu
 
 void NormalPrior::Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* row) const {
   row->Reset(static_cast<std::size_t>(x_end - x_begin));
+  row->MoveAll();
   const int y_p = y - step.dy;
   if (y_p < 0 || y_p >= shape_.height) return;
   const int inside_begin = std::max(x_begin, step.dx);
