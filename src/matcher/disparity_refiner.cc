@@ -1,6 +1,10 @@
 #include "matcher/disparity_refiner.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <iterator>
 #include <mutex>
 
@@ -9,6 +13,8 @@
 #include "refinement/confidence.h"
 #include "refinement/fill.h"
 #include "refinement/left_right.h"
+#include "refinement/median.h"
+#include "refinement/reason_counts.h"
 #include "refinement/subpixel.h"
 #include "refinement/validity.h"
 
@@ -19,25 +25,29 @@ namespace {
 constexpr int kSuperpixelSize = 15;
 constexpr double kCompactness = 10.0;
 
-// The pixels of each reason in a row, added to `counts`. Several counters in turn, since a counter
-// would wait for its last increment where neighbours are alike.
-void CountRow(const std::uint8_t* row, int width, int (&counts)[kInvalidReasonCount]) {
-  constexpr int kLanes = 4;
-  int lanes[kLanes][kInvalidReasonCount] = {};
-  for (int x = 0; x < width; ++x) ++lanes[x % kLanes][row[x]];
-  for (const auto& lane : lanes) {
-    for (int reason = 0; reason < kInvalidReasonCount; ++reason) counts[reason] += lane[reason];
-  }
+// Rows that go through all steps of a pass before the next ones do: few enough to stay in the
+// second-level cache.
+constexpr int kBlock = 16;
+
+// Calls body(thread, begin, end) for blocks of [0, rows), each thread for those of its own share.
+void ForBlocks(int rows, ThreadPool* pool, const std::function<void(int, int, int)>& body) {
+  const std::int64_t threads = pool->size();
+  pool->Run([&](int thread) {
+    const int share_end = static_cast<int>(rows * (thread + std::int64_t{1}) / threads);
+    for (int y = static_cast<int>(rows * thread / threads); y < share_end; y += kBlock) {
+      body(thread, y, std::min(y + kBlock, share_end));
+    }
+  });
 }
 
 void CountReasons(const cv::Mat& reason, ThreadPool* pool, MatchStatistics* statistics) {
   std::fill(std::begin(statistics->reasons), std::end(statistics->reasons), 0);
   std::mutex mutex;
   pool->ForRanges(reason.rows, [&](int begin, int end) {
-    int counts[kInvalidReasonCount] = {};
-    for (int y = begin; y < end; ++y) CountRow(reason.ptr(y), reason.cols, counts);
+    ReasonCounts counts{};
+    for (int y = begin; y < end; ++y) CountReasonsInRow(reason.ptr(y), reason.cols, &counts);
     const std::lock_guard<std::mutex> lock(mutex);
-    for (int i = 0; i < kInvalidReasonCount; ++i) statistics->reasons[i] += counts[i];
+    for (std::size_t i = 0; i < counts.size(); ++i) statistics->reasons[i] += counts[i];
   });
   const double valid = statistics->reasons[static_cast<int>(InvalidReason::kValid)];
   statistics->density = valid / static_cast<double>(reason.total());
@@ -48,56 +58,88 @@ void CountReasons(const cv::Mat& reason, ThreadPool* pool, MatchStatistics* stat
 void DisparityRefiner::Run(const WinnerMap& winners, const cv::Mat& image, const Options& options,
                            ThreadPool* pool, MatchResult* result) {
   const FilterOptions& filter = options.filter;
-  RefineSubpixel(winners, options.refinement.subpixel, &result->raw, pool);
-  UncertaintyImage(winners, &result->uncertainty);
-  LeftRightDifferences(winners, &left_right_, pool);
-  ComputeConfidence(winners, left_right_, filter.confidence, options.aggregation.p1,
-                    &result->confidence, pool);
-  MakeDense(winners.shape, image, options, pool, result);
-  FindInvalid(winners, left_right_, result->dense, result->confidence, filter, &result->reason,
-              pool);
+  cv::Mat& disparity = options.refinement.median ? filled_ : result->dense;
+  ReadWinners(winners, options, pool, result, &disparity);
+  if (options.refinement.superpixel_planes) {
+    FillBySuperpixels(winners.shape, image, pool, &disparity);
+  }
+  Smooth(image, options.refinement, pool, result->confidence, &disparity);
+  Filter(winners, options, pool, result);
   speckle_.Mark(result->dense, filter.speckle_size, filter.speckle_range, &result->reason, pool);
   CountReasons(result->reason, pool, &result->statistics);
 }
 
-void DisparityRefiner::FindAgreeing(double tolerance, ThreadPool* pool) {
-  if (tolerance < 0.0) {
-    valid_.create(left_right_.size(), CV_8U);
-    valid_.setTo(255);
-    return;
+// What can be said of a pixel from its winner and those around, and the disparities, with holes
+// filled from their scanline if nothing else comes before that.
+void DisparityRefiner::ReadWinners(const WinnerMap& winners, const Options& options,
+                                   ThreadPool* pool, MatchResult* result, cv::Mat* disparity) {
+  const cv::Size size = winners.winner.size();
+  for (cv::Mat* map : {&result->raw, &result->uncertainty, &result->confidence, disparity}) {
+    map->create(size, CV_32F);
   }
-  LeftRightMask(left_right_, static_cast<int>(tolerance) + 1, &valid_, pool);
+  left_right_.create(size, CV_16U);
+  valid_.create(size, CV_8U);
+  std::atomic<bool> all_filled{true};
+  ForBlocks(size.height, pool, [&](int /*thread*/, int begin, int end) {
+    RefineSubpixelRows(winners, options.refinement.subpixel, begin, end, &result->raw);
+    UncertaintyImage(winners, begin, end, &result->uncertainty);
+    LeftRightDifferences(winners, begin, end, &left_right_);
+    ComputeConfidence(winners, left_right_, options.filter.confidence, options.aggregation.p1,
+                      begin, end, &result->confidence);
+    FindAgreeing(options.filter.lr_tolerance, begin, end);
+    cv::Mat rows = disparity->rowRange(begin, end);
+    result->raw.rowRange(begin, end).copyTo(rows);
+    if (!options.refinement.superpixel_planes && !FillRows(valid_, begin, end, disparity)) {
+      all_filled = false;
+    }
+  });
+  if (!all_filled) {
+    FillEmptyRows(valid_, static_cast<float>(winners.shape.min_disparity), disparity);
+  }
 }
 
-void DisparityRefiner::MakeDense(const VolumeShape& shape, const cv::Mat& image,
-                                 const Options& options, ThreadPool* pool, MatchResult* result) {
-  const RefinementOptions& refinement = options.refinement;
-  FindAgreeing(options.filter.lr_tolerance, pool);
-  cv::Mat& disparity = refinement.median ? filled_ : result->dense;
-  result->raw.copyTo(disparity);
-  FillHoles(shape, image, refinement, pool, &disparity);
+void DisparityRefiner::FindAgreeing(double tolerance, int begin, int end) {
+  if (tolerance < 0.0) {
+    valid_.rowRange(begin, end).setTo(255);
+  } else {
+    LeftRightMask(left_right_, static_cast<int>(tolerance) + 1, begin, end, &valid_);
+  }
+}
+
+void DisparityRefiner::Smooth(const cv::Mat& image, const RefinementOptions& refinement,
+                              ThreadPool* pool, const cv::Mat& confidence, cv::Mat* disparity) {
   if (refinement.weighted_median) {
-    weighted_median_.Apply(image, result->confidence, disparity, &disparity, pool);
+    weighted_median_.Apply(image, confidence, *disparity, disparity, pool);
   }
-  if (refinement.plane_propagation) {
-    propagation_.Apply(image, result->confidence, &disparity, pool);
-  }
+  if (refinement.plane_propagation) propagation_.Apply(image, confidence, disparity, pool);
   if (refinement.plane_smoothing) {
     valid_.setTo(255);  // what was filled lies on a surface now
-    smoother_.Smooth(image, valid_, &disparity, pool);
+    smoother_.Smooth(image, valid_, disparity, pool);
   }
-  if (refinement.median) median_.Apply(filled_, &result->dense, pool);
 }
 
-void DisparityRefiner::FillHoles(const VolumeShape& shape, const cv::Mat& image,
-                                 const RefinementOptions& refinement, ThreadPool* pool,
-                                 cv::Mat* disparity) {
-  if (refinement.superpixel_planes) {
-    cv::resize(image, half_, SuperpixelPlanes::LabelSize(image.size()), 0.0, 0.0, cv::INTER_AREA);
-    superpixels_.Segment(half_, kSuperpixelSize, kCompactness, pool);
-    superpixel_planes_.Apply(superpixels_.labels(), superpixels_.count(), shape, disparity, &valid_,
-                             pool);
-  }
+// The median, where it is asked for, and what is distrusted of the result.
+void DisparityRefiner::Filter(const WinnerMap& winners, const Options& options, ThreadPool* pool,
+                              MatchResult* result) {
+  result->dense.create(winners.winner.size(), CV_32F);
+  result->reason.create(winners.winner.size(), CV_8U);
+  scratch_.resize(static_cast<std::size_t>(pool->size()));
+  ForBlocks(result->dense.rows, pool, [&](int thread, int begin, int end) {
+    if (options.refinement.median) {
+      MedianOfRows(filled_, begin, end, &scratch_[static_cast<std::size_t>(thread)],
+                   &result->dense);
+    }
+    FindInvalid(winners, left_right_, result->dense, result->confidence, options.filter, begin, end,
+                &result->reason);
+  });
+}
+
+void DisparityRefiner::FillBySuperpixels(const VolumeShape& shape, const cv::Mat& image,
+                                         ThreadPool* pool, cv::Mat* disparity) {
+  cv::resize(image, half_, SuperpixelPlanes::LabelSize(image.size()), 0.0, 0.0, cv::INTER_AREA);
+  superpixels_.Segment(half_, kSuperpixelSize, kCompactness, pool);
+  superpixel_planes_.Apply(superpixels_.labels(), superpixels_.count(), shape, disparity, &valid_,
+                           pool);
   FillScanlines(valid_, static_cast<float>(shape.min_disparity), disparity, pool);
 }
 

@@ -1,12 +1,14 @@
 #ifndef STEREO_SGMP_MATCHER_DISPARITY_REFINER_H_
 #define STEREO_SGMP_MATCHER_DISPARITY_REFINER_H_
 
+#include <vector>
+
 #include <opencv2/core.hpp>
 
 #include "aggregation/winner_map.h"
+#include "common/aligned_buffer.h"
 #include "common/thread_pool.h"
 #include "prior/superpixels.h"
-#include "refinement/median.h"
 #include "refinement/plane_propagation.h"
 #include "refinement/plane_smoothing.h"
 #include "refinement/speckle.h"
@@ -26,13 +28,17 @@ class DisparityRefiner {
            MatchResult* result);
 
  private:
+  void ReadWinners(const WinnerMap& winners, const Options& options, ThreadPool* pool,
+                   MatchResult* result, cv::Mat* disparity);
   // The pixels whose left and right winner agree, which tells occlusions and blunders apart from
   // the rest; all if the check is off.
-  void FindAgreeing(double tolerance, ThreadPool* pool);
-  void MakeDense(const VolumeShape& shape, const cv::Mat& image, const Options& options,
-                 ThreadPool* pool, MatchResult* result);
-  void FillHoles(const VolumeShape& shape, const cv::Mat& image,
-                 const RefinementOptions& refinement, ThreadPool* pool, cv::Mat* disparity);
+  void FindAgreeing(double tolerance, int begin, int end);
+  void FillBySuperpixels(const VolumeShape& shape, const cv::Mat& image, ThreadPool* pool,
+                         cv::Mat* disparity);
+  void Smooth(const cv::Mat& image, const RefinementOptions& refinement, ThreadPool* pool,
+              const cv::Mat& confidence, cv::Mat* disparity);
+  void Filter(const WinnerMap& winners, const Options& options, ThreadPool* pool,
+              MatchResult* result);
 
   cv::Mat left_right_;  // LeftRightDifferences
   cv::Mat valid_;
@@ -42,7 +48,7 @@ class DisparityRefiner {
   SuperpixelPlanes superpixel_planes_;
   PlanePropagation propagation_;
   PlaneSmoother smoother_;
-  MedianFilter median_;
+  std::vector<AlignedBuffer<float>> scratch_;  // of the median, one per thread
   WeightedMedianFilter weighted_median_;
   SpeckleFilter speckle_;
 };

@@ -19,23 +19,21 @@ void UncertaintyRow(const WinnerMap& map, int y, float scale, float* row) {
 }  // namespace
 
 void ComputeConfidence(const WinnerMap& map, const cv::Mat& left_right, ConfidenceMeasure measure,
-                       int p1, cv::Mat* confidence, ThreadPool* pool) {
-  confidence->create(map.winner.size(), CV_32F);
+                       int p1, int begin, int end, cv::Mat* confidence) {
   const float scale = static_cast<float>(kPaths * p1);
-  pool->ForRanges(confidence->rows, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      float* row = confidence->ptr<float>(y);
-      if (measure == ConfidenceMeasure::kPeakDifference) {
-        PeakDifferenceRow(map, left_right.ptr<std::uint16_t>(y), y, row);
-      } else {
-        UncertaintyRow(map, y, scale, row);
-      }
+  for (int y = begin; y < end; ++y) {
+    float* row = confidence->ptr<float>(y);
+    if (measure == ConfidenceMeasure::kPeakDifference) {
+      PeakDifferenceRow(map, left_right.ptr<std::uint16_t>(y), y, row);
+    } else {
+      UncertaintyRow(map, y, scale, row);
     }
-  });
+  }
 }
 
-void UncertaintyImage(const WinnerMap& map, cv::Mat* uncertainty) {
-  map.uncertainty.convertTo(*uncertainty, CV_32F);
+void UncertaintyImage(const WinnerMap& map, int begin, int end, cv::Mat* uncertainty) {
+  cv::Mat rows = uncertainty->rowRange(begin, end);
+  map.uncertainty.rowRange(begin, end).convertTo(rows, CV_32F);
 }
 
 }  // namespace stereo_sgmp

@@ -4,7 +4,6 @@
 #include <opencv2/core.hpp>
 
 #include "aggregation/winner_map.h"
-#include "common/thread_pool.h"
 #include "stereo_sgmp/options.h"
 
 namespace stereo_sgmp {
@@ -16,12 +15,13 @@ namespace stereo_sgmp {
 // winner differ, up to 10. Mapped to 0..1 by a strictly rising function that comes close to the
 // share of pixels that are right within one pixel.
 // kUncertainty: 1 / (1 + U_p / (8 P1)), 1 where all paths agree.
-// `left_right` is what LeftRightDifferences makes.
+// `left_right` is what LeftRightDifferences makes. Of the rows [begin, end) alone; `confidence` has
+// its size.
 void ComputeConfidence(const WinnerMap& map, const cv::Mat& left_right, ConfidenceMeasure measure,
-                       int p1, cv::Mat* confidence, ThreadPool* pool);
+                       int p1, int begin, int end, cv::Mat* confidence);
 
-// U_p of the paper as CV_32F.
-void UncertaintyImage(const WinnerMap& map, cv::Mat* uncertainty);
+// U_p of the paper as CV_32F, of the rows [begin, end) alone; `uncertainty` has its size.
+void UncertaintyImage(const WinnerMap& map, int begin, int end, cv::Mat* uncertainty);
 
 }  // namespace stereo_sgmp
 

@@ -1,8 +1,11 @@
 #include "refinement/fill.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 
 namespace stereo_sgmp {
 namespace {
@@ -14,25 +17,22 @@ bool HasValid(const cv::Mat& valid, int y) {
   return std::any_of(row, row + valid.cols, kIsValid);
 }
 
-// Leaves rows without a valid pixel as they are.
-void FillRow(const std::uint8_t* valid, int width, float* disparity) {
+// Leaves a row without a valid pixel as it is, and says whether it has one.
+bool FillRow(const std::uint8_t* valid, int width, float* disparity) {
   const std::uint8_t* const valid_end = valid + width;
-  const auto next_valid = [&](int from) {
-    return static_cast<int>(std::find_if(valid + from, valid_end, kIsValid) - valid);
-  };
-  int begin = 0;
-  while (begin < width) {
-    if (valid[begin] != 0) {
-      ++begin;
-      continue;
-    }
-    const int end = next_valid(begin);
-    if (begin == 0 && end == width) return;
+  for (int begin = 0; begin < width;) {
+    const auto rest = static_cast<std::size_t>(width - begin);
+    const void* const hole = std::memchr(valid + begin, 0, rest);
+    if (hole == nullptr) break;
+    begin = static_cast<int>(static_cast<const std::uint8_t*>(hole) - valid);
+    const int end = static_cast<int>(std::find_if(valid + begin, valid_end, kIsValid) - valid);
+    if (begin == 0 && end == width) return false;
     const float left = disparity[begin == 0 ? end : begin - 1];
     const float right = disparity[end == width ? begin - 1 : end];
     std::fill(disparity + begin, disparity + end, std::min(left, right));
     begin = end;
   }
+  return true;
 }
 
 void CopyRow(int from, int to, cv::Mat* disparity) {
@@ -40,7 +40,16 @@ void CopyRow(int from, int to, cv::Mat* disparity) {
   std::copy(source, source + disparity->cols, disparity->ptr<float>(to));
 }
 
-// Fills the stretches of rows that have no valid pixel.
+}  // namespace
+
+bool FillRows(const cv::Mat& valid, int begin, int end, cv::Mat* disparity) {
+  bool all = true;
+  for (int y = begin; y < end; ++y) {
+    all &= FillRow(valid.ptr<std::uint8_t>(y), disparity->cols, disparity->ptr<float>(y));
+  }
+  return all;
+}
+
 void FillEmptyRows(const cv::Mat& valid, float fallback, cv::Mat* disparity) {
   const int height = disparity->rows;
   for (int begin = 0; begin < height;) {
@@ -63,15 +72,12 @@ void FillEmptyRows(const cv::Mat& valid, float fallback, cv::Mat* disparity) {
   }
 }
 
-}  // namespace
-
 void FillScanlines(const cv::Mat& valid, float fallback, cv::Mat* disparity, ThreadPool* pool) {
+  std::atomic<bool> all{true};
   pool->ForRanges(disparity->rows, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      FillRow(valid.ptr<std::uint8_t>(y), disparity->cols, disparity->ptr<float>(y));
-    }
+    if (!FillRows(valid, begin, end, disparity)) all = false;
   });
-  FillEmptyRows(valid, fallback, disparity);
+  if (!all) FillEmptyRows(valid, fallback, disparity);
 }
 
 }  // namespace stereo_sgmp

@@ -13,6 +13,11 @@ namespace stereo_sgmp {
 // equally near; without any the whole image becomes `fallback`.
 void FillScanlines(const cv::Mat& valid, float fallback, cv::Mat* disparity, ThreadPool* pool);
 
+// Its two steps. FillRows does the rows [begin, end) that have a valid pixel, and says whether all
+// have; FillEmptyRows needs to follow, for the whole image, where some have not.
+bool FillRows(const cv::Mat& valid, int begin, int end, cv::Mat* disparity);
+void FillEmptyRows(const cv::Mat& valid, float fallback, cv::Mat* disparity);
+
 }  // namespace stereo_sgmp
 
 #endif  // STEREO_SGMP_REFINEMENT_FILL_H_

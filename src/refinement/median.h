@@ -1,23 +1,16 @@
 #ifndef STEREO_SGMP_REFINEMENT_MEDIAN_H_
 #define STEREO_SGMP_REFINEMENT_MEDIAN_H_
 
-#include <vector>
-
 #include <opencv2/core.hpp>
 
-#include "common/thread_pool.h"
+#include "common/aligned_buffer.h"
 
 namespace stereo_sgmp {
 
-// The 5x5 median, cv::medianBlur on several threads. Keeps its buffers from call to call.
-class MedianFilter {
- public:
-  // `image` and `filtered` are CV_32F and different images; the border is replicated.
-  void Apply(const cv::Mat& image, cv::Mat* filtered, ThreadPool* pool);
-
- private:
-  std::vector<cv::Mat> strips_;  // one per thread
-};
+// The rows [begin, end) of the 5x5 median of `image`, as those of `filtered`. Both are CV_32F,
+// different images of one size; the border is replicated. Keeps what it needs in `scratch`.
+void MedianOfRows(const cv::Mat& image, int begin, int end, AlignedBuffer<float>* scratch,
+                  cv::Mat* filtered);
 
 }  // namespace stereo_sgmp
 

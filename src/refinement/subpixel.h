@@ -17,6 +17,10 @@ namespace stereo_sgmp {
 // all within [-1/2, 1/2]; by 0 at the ends of the range and where a denominator is 0.
 void RefineSubpixel(const WinnerMap& map, Subpixel method, cv::Mat* disparity, ThreadPool* pool);
 
+// Of the rows [begin, end) alone. `disparity` has its size.
+void RefineSubpixelRows(const WinnerMap& map, Subpixel method, int begin, int end,
+                        cv::Mat* disparity);
+
 }  // namespace stereo_sgmp
 
 #endif  // STEREO_SGMP_REFINEMENT_SUBPIXEL_H_

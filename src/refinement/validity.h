@@ -4,7 +4,6 @@
 #include <opencv2/core.hpp>
 
 #include "aggregation/winner_map.h"
-#include "common/thread_pool.h"
 #include "stereo_sgmp/options.h"
 
 namespace stereo_sgmp {
@@ -18,9 +17,10 @@ namespace stereo_sgmp {
 // Range applies to more than two disparities, as both are ends otherwise. A negative
 // lr_tolerance switches left-right off. Uniqueness asks, as OpenCV's StereoSGBM does, that the
 // best cost be lower than the second best by uniqueness_ratio percent of the latter.
+// Of the rows [begin, end) alone; `reason` has its size.
 void FindInvalid(const WinnerMap& map, const cv::Mat& left_right, const cv::Mat& disparity,
-                 const cv::Mat& confidence, const FilterOptions& options, cv::Mat* reason,
-                 ThreadPool* pool);
+                 const cv::Mat& confidence, const FilterOptions& options, int begin, int end,
+                 cv::Mat* reason);
 
 }  // namespace stereo_sgmp
 

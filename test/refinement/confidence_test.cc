@@ -15,12 +15,14 @@ namespace {
 
 constexpr int kP1 = 100;
 
-cv::Mat ConfidenceOf(const WinnerMap& map, ConfidenceMeasure measure, int threads = 1) {
-  ThreadPool pool(threads);
-  cv::Mat left_right;
-  LeftRightDifferences(map, &left_right, &pool);
-  cv::Mat confidence;
-  ComputeConfidence(map, left_right, measure, kP1, &confidence, &pool);
+cv::Mat ConfidenceOf(const WinnerMap& map, ConfidenceMeasure measure) {
+  const int rows = map.shape.height;
+  cv::Mat left_right(map.winner.size(), CV_16U);
+  LeftRightDifferences(map, 0, rows, &left_right);
+  cv::Mat confidence(map.winner.size(), CV_32F);
+  const int middle = rows / 2;
+  ComputeConfidence(map, left_right, measure, kP1, middle, rows, &confidence);
+  ComputeConfidence(map, left_right, measure, kP1, 0, middle, &confidence);
   return confidence;
 }
 
@@ -117,12 +119,17 @@ TEST(ConfidenceTest, UncertaintyIsMeasuredInPenaltiesOfEightPaths) {
   EXPECT_EQ(confidence.at<float>(0, 2), 0.25f);
 }
 
-TEST(ConfidenceTest, DoesNotDependOnThreads) {
+TEST(ConfidenceTest, DoesNotDependOnHowRowsAreDivided) {
   const WinnerMap map = RandomWinnerMap({31, 13, 10, 0}, 3);
+  cv::Mat left_right(map.winner.size(), CV_16U);
+  LeftRightDifferences(map, 0, 13, &left_right);
   for (const ConfidenceMeasure measure :
        {ConfidenceMeasure::kPeakDifference, ConfidenceMeasure::kUncertainty}) {
-    const cv::Mat expected = ConfidenceOf(map, measure, 1);
-    EXPECT_EQ(cv::norm(expected, ConfidenceOf(map, measure, 4), cv::NORM_INF), 0.0);
+    cv::Mat one_by_one(map.winner.size(), CV_32F);
+    for (int y = 0; y < 13; ++y) {
+      ComputeConfidence(map, left_right, measure, kP1, y, y + 1, &one_by_one);
+    }
+    EXPECT_EQ(cv::norm(one_by_one, ConfidenceOf(map, measure), cv::NORM_INF), 0.0);
   }
 }
 
@@ -138,9 +145,8 @@ TEST(ConfidenceTest, TinyImagesAndRanges) {
 TEST(ConfidenceTest, UncertaintyImageHoldsCostUnits) {
   WinnerMap map = UniformWinnerMap({2, 1, 20, 0}, 5);
   map.uncertainty(0, 1) = 1234;
-  cv::Mat uncertainty;
-  UncertaintyImage(map, &uncertainty);
-  EXPECT_EQ(uncertainty.type(), CV_32F);
+  cv::Mat uncertainty(1, 2, CV_32F);
+  UncertaintyImage(map, 0, 1, &uncertainty);
   EXPECT_EQ(uncertainty.at<float>(0, 0), 0.0f);
   EXPECT_EQ(uncertainty.at<float>(0, 1), 1234.0f);
 }

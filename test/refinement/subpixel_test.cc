@@ -1,8 +1,10 @@
 #include "refinement/subpixel.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include "winner_maps.h"
 
@@ -65,6 +67,53 @@ TEST(SubpixelTest, StaysWithinHalfAPixelAndDoesNotDependOnThreads) {
   for (int y = 0; y < map.shape.height; ++y) {
     for (int x = 0; x < map.shape.width; ++x) {
       EXPECT_LE(std::abs(actual.at<float>(y, x) - 4.0f - map.winner(y, x)), 0.5f);
+    }
+  }
+}
+
+float ReferenceOffset(Subpixel method, float left, float right) {
+  const float largest = 2.0F * std::max(left, right);
+  const float equiangular = largest > 0.0F ? (left - right) / largest : 0.0F;
+  const float sum = 2.0F * (left + right);
+  const float parabola = sum > 0.0F ? (left - right) / sum : 0.0F;
+  switch (method) {
+    case Subpixel::kNone:
+      return 0.0F;
+    case Subpixel::kEquiangular:
+      return equiangular;
+    case Subpixel::kParabola:
+      return parabola;
+    case Subpixel::kBlend:
+      return 0.5F * (equiangular + parabola);
+  }
+  return 0.0F;
+}
+
+TEST(SubpixelTest, EqualsTheDefinitionOnEveryTargetAndWidth) {
+  ThreadPool pool(1);
+  for (const int width : {1, 3, 8, 15, 16, 17, 40, 127}) {
+    const WinnerMap map = RandomWinnerMap({width, 3, 6, -2}, static_cast<unsigned>(width));
+    for (const Subpixel method :
+         {Subpixel::kNone, Subpixel::kEquiangular, Subpixel::kParabola, Subpixel::kBlend}) {
+      for (const auto target : hwy::SupportedAndGeneratedTargets()) {
+        hwy::SetSupportedTargetsForTest(target);
+        cv::Mat disparity;
+        RefineSubpixel(map, method, &disparity, &pool);
+        hwy::SetSupportedTargetsForTest(0);
+        for (int y = 0; y < 3; ++y) {
+          for (int x = 0; x < width; ++x) {
+            const int cost = map.cost(y, x);
+            const bool inside = map.winner(y, x) > 0 && map.winner(y, x) < 5;
+            const float offset =
+                inside ? ReferenceOffset(method, static_cast<float>(map.cost_below(y, x) - cost),
+                                         static_cast<float>(map.cost_above(y, x) - cost))
+                       : 0.0F;
+            ASSERT_EQ(disparity.at<float>(y, x),
+                      -2.0F + static_cast<float>(map.winner(y, x)) + offset)
+                << hwy::TargetName(target) << " at " << x << " of " << width;
+          }
+        }
+      }
     }
   }
 }
