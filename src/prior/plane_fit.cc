@@ -4,35 +4,11 @@
 #include <cmath>
 
 namespace stereo_sgmp {
-namespace {
-
-// Variance in px^2 added to both axes: negligible beside the extent of a real region, enough to
-// keep the slope of a line or a point of samples finite.
-constexpr double kSlopeRegularisation = 1e-3;
-
-}  // namespace
-
 // Means, and mean products of the deviations from them.
 struct PlaneMoments::Centred {
   double x, y, d;
   double xx, xy, yy, xd, yd, dd;
 };
-
-void PlaneMoments::Add(double x, double y, double disparity, double weight) {
-  const double wx = weight * x;
-  const double wy = weight * y;
-  const double wd = weight * disparity;
-  n_ += weight;
-  x_ += wx;
-  y_ += wy;
-  d_ += wd;
-  xx_ += wx * x;
-  xy_ += wx * y;
-  yy_ += wy * y;
-  xd_ += wx * disparity;
-  yd_ += wy * disparity;
-  dd_ += wd * disparity;
-}
 
 void PlaneMoments::Merge(const PlaneMoments& other) {
   n_ += other.n_;
@@ -45,19 +21,6 @@ void PlaneMoments::Merge(const PlaneMoments& other) {
   xd_ += other.xd_;
   yd_ += other.yd_;
   dd_ += other.dd_;
-}
-
-void PlaneMoments::AddColumn(double x, const ColumnSums& sums) {
-  n_ += sums.n;
-  x_ += sums.n * x;
-  y_ += sums.y;
-  d_ += sums.d;
-  xx_ += sums.n * x * x;
-  xy_ += sums.y * x;
-  yy_ += sums.yy;
-  xd_ += sums.d * x;
-  yd_ += sums.yd;
-  dd_ += sums.dd;
 }
 
 PlaneMoments::Centred PlaneMoments::AboutMean() const {
@@ -97,14 +60,14 @@ double PlaneMoments::Rms(const DisparityPlane& plane) const {
   return std::sqrt(std::max(0.0, mean_square));
 }
 
-DisparityPlane RefitHuber(const std::vector<DisparitySample>& samples, DisparityPlane plane,
+DisparityPlane RefitHuber(const DisparitySample* samples, std::size_t count, DisparityPlane plane,
                           double threshold, int iterations) {
   for (int i = 0; i < iterations; ++i) {
     PlaneMoments moments;
-    for (const DisparitySample& s : samples) {
-      const double residual = std::abs(plane.At(s.x, s.y) - s.disparity);
+    for (const DisparitySample* s = samples; s != samples + count; ++s) {
+      const double residual = std::abs(plane.At(s->x, s->y) - s->disparity);
       const double weight = residual <= threshold ? 1.0 : threshold / residual;
-      moments.Add(s.x, s.y, s.disparity, weight);
+      moments.Add(s->x, s->y, s->disparity, weight);
     }
     plane = moments.Fit();
   }

@@ -2,11 +2,15 @@
 #ifndef STEREO_SGMP_PRIOR_PLANE_FIT_H_
 #define STEREO_SGMP_PRIOR_PLANE_FIT_H_
 
-#include <vector>
+#include <cstddef>
 
 #include "stereo_sgmp/disparity_plane.h"
 
 namespace stereo_sgmp {
+
+// Variance in px^2 added to both axes: negligible beside the extent of a real region, enough to
+// keep the slope of a line or a point of samples finite.
+constexpr double kSlopeRegularisation = 1e-3;
 
 struct DisparitySample {
   float x = 0.0F;
@@ -18,14 +22,23 @@ struct DisparitySample {
 // follows. The plane is fitted around the mean, so coordinates may be far from the origin.
 class PlaneMoments {
  public:
-  void Add(double x, double y, double disparity, double weight = 1.0);
+  // Here, for the loops over samples.
+  void Add(double x, double y, double disparity, double weight = 1.0) {
+    const double wx = weight * x;
+    const double wy = weight * y;
+    const double wd = weight * disparity;
+    n_ += weight;
+    x_ += wx;
+    y_ += wy;
+    d_ += wd;
+    xx_ += wx * x;
+    xy_ += wx * y;
+    yy_ += wy * y;
+    xd_ += wx * disparity;
+    yd_ += wy * disparity;
+    dd_ += wd * disparity;
+  }
   void Merge(const PlaneMoments& other);
-
-  // Samples that share one x, given as sums over them.
-  struct ColumnSums {
-    double n, y, d, yy, yd, dd;
-  };
-  void AddColumn(double x, const ColumnSums& sums);
 
   // Sum of the weights.
   double weight() const { return n_; }
@@ -55,7 +68,7 @@ class PlaneMoments {
 
 // Fits again with Huber's weights min(1, threshold / |residual|), starting from `plane`: samples
 // of a neighbouring surface then bend the plane little. `threshold` is in disparities, > 0.
-DisparityPlane RefitHuber(const std::vector<DisparitySample>& samples, DisparityPlane plane,
+DisparityPlane RefitHuber(const DisparitySample* samples, std::size_t count, DisparityPlane plane,
                           double threshold, int iterations);
 
 }  // namespace stereo_sgmp

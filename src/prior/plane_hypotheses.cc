@@ -1,7 +1,6 @@
 #include "prior/plane_hypotheses.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -9,39 +8,26 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "prior/plane_seed_kernel.h"
 #include "prior/plane_sets.h"
 
 namespace stereo_sgmp {
 namespace {
 
-// Half width of the window a seed plane is fitted to, coarse pixels.
-constexpr int kSeedRadius = 5;
-constexpr int kSeedSide = 2 * kSeedRadius + 1;
-constexpr int kSeedColumns = kSeedSide + 1;  // summed; whole vectors, the last is not used
-constexpr int kSeedWindow = kSeedSide * kSeedSide;
-// Distance of the windows' centres in x and y.
-constexpr int kSeedStep = 3;
-// A window holds the disparities this close to that of its centre; wide enough for a slant of
-// 0.4 a pixel, narrow enough to leave out most of what lies behind.
-constexpr float kSeedRange = 2.0F;
-// Share of the window that must be filled, and what each missing share costs in the ranking.
-constexpr double kSeedFill = 0.6;
-constexpr double kMissingPenalty = 0.1;
-// Distance from the plane at which a pixel still belongs to it, coarse disparities.
-constexpr float kGrowRange = 0.6F;
-// Residuals that fill this range evenly have a root mean square of 0.35: near that the region is
-// no plane but whatever the range happened to cut out.
+constexpr int kSeedWindow = (2 * kSeedRadius + 1) * (2 * kSeedRadius + 1);
+// Seeds that are put in order at once: these, or this share of all that are left.
+constexpr std::size_t kSeedsInOrder = 256;
+constexpr std::size_t kSeedShare = 4;
+// Residuals that fill the range around the plane evenly have a root mean square of 0.35: near that
+// the region is no plane but whatever the range happened to cut out.
 constexpr double kMaxRms = 0.3;
-// Pixels without a fitting disparity that growth steps over, less one.
-constexpr int kGap = 2;
-static_assert(2 * kGap + 1 == BitRows::kWindow, "of the pixels around one");
 // The plane is fitted again each time its region has become this much larger.
 constexpr double kRefitGrowth = 1.5;
 // Final fit: residuals beyond this count less, coarse disparities.
 constexpr double kHuberThreshold = 0.5;
 constexpr int kHuberIterations = 2;
 
-constexpr int kPadding = std::max(kSeedRadius + 1, kGap);
+constexpr int kPadding = std::max(kSeedRadius + 1, kGapOverrun);
 
 void CheckInputs(const CoarseDisparity& coarse) {
   if (coarse.disparity.type() != CV_32FC1 || coarse.confident.type() != CV_8UC1) {
@@ -55,36 +41,6 @@ void CheckInputs(const CoarseDisparity& coarse) {
   }
 }
 
-// Moments of the window around `centre`, relative to it, of the disparities near its own. Sums
-// each column apart, so that the compiler vectorises across them.
-PlaneMoments WindowMoments(const float* centre, int stride) {
-  struct ColumnSums {
-    std::array<float, kSeedColumns> n{}, y{}, d{}, yy{}, yd{}, dd{};
-  } sums;
-  for (int dy = -kSeedRadius; dy <= kSeedRadius; ++dy) {
-    const float* row = centre + dy * stride - kSeedRadius;
-    const float v = static_cast<float>(dy);
-    for (std::size_t i = 0; i < kSeedColumns; ++i) {
-      const float difference = row[i] - *centre;
-      const bool near = std::abs(difference) < kSeedRange;
-      const float n = near ? 1.0F : 0.0F;
-      const float d = near ? difference : 0.0F;
-      sums.n[i] += n;
-      sums.y[i] += n * v;
-      sums.d[i] += d;
-      sums.yy[i] += n * v * v;
-      sums.yd[i] += d * v;
-      sums.dd[i] += d * d;
-    }
-  }
-  PlaneMoments moments;
-  for (std::size_t i = 0; i < kSeedSide; ++i) {
-    const double dx = static_cast<double>(i) - kSeedRadius;
-    moments.AddColumn(dx, {sums.n[i], sums.y[i], sums.d[i], sums.yy[i], sums.yd[i], sums.dd[i]});
-  }
-  return moments;
-}
-
 }  // namespace
 
 int SmallestPlane(const PriorOptions& options, cv::Size size) {
@@ -95,13 +51,35 @@ void PlaneHypotheses::Find(const CoarseDisparity& coarse, int min_area, ThreadPo
   CheckInputs(coarse);
   Load(coarse);
   FindSeeds(threads);
-  for (const Seed& seed : seeds_) {
-    if (map_.planes.size() >= PlaneSet::kMaxListed) break;
-    if (reached_[static_cast<std::size_t>(Index(seed.x, seed.y))] != 0) continue;
-    Grow(seed);
-    if (!Keep(min_area)) Release(pixels_.begin());
-  }
+  GrowFromSeeds(min_area);
   SortByArea();
+}
+
+// The best first. Most seeds are reached before it is their turn, so that only those that come next
+// are put in order.
+void PlaneHypotheses::GrowFromSeeds(int min_area) {
+  const auto before = [](const Seed& l, const Seed& r) {
+    return std::tie(l.rank, l.y, l.x) < std::tie(r.rank, r.y, r.x);
+  };
+  const auto is_reached = [this](const Seed& seed) {
+    return reached_[static_cast<std::size_t>(Index(seed.x, seed.y))] != 0;
+  };
+  auto next = seeds_.begin();
+  auto end = seeds_.end();
+  while (next != end) {
+    const auto left = static_cast<std::size_t>(end - next);
+    const std::size_t count = std::min(left, std::max(kSeedsInOrder, left / kSeedShare));
+    const auto ordered = next + static_cast<std::ptrdiff_t>(count);
+    if (ordered != end) std::nth_element(next, ordered, end, before);
+    std::sort(next, ordered, before);
+    for (; next != ordered; ++next) {
+      if (map_.planes.size() >= PlaneSet::kMaxListed) return;
+      if (is_reached(*next)) continue;
+      Grow(*next);
+      if (!Keep(min_area)) Release(region_.pixels);
+    }
+    end = std::remove_if(next, end, is_reached);
+  }
 }
 
 int PlaneHypotheses::Index(int x, int y) const { return (y + kPadding) * stride_ + x + kPadding; }
@@ -114,17 +92,15 @@ void PlaneHypotheses::Load(const CoarseDisparity& coarse) {
   stride_ = size.width + 2 * kPadding;
   const std::size_t padded =
       static_cast<std::size_t>(stride_) * static_cast<std::size_t>(size.height + 2 * kPadding);
-  disparity_.assign(padded, std::numeric_limits<float>::quiet_NaN());
+  disparity_.assign(padded + kSeedOverrun, std::numeric_limits<float>::quiet_NaN());
   reached_.assign(padded, 0);
-  free_.Reset(stride_, size.height + 2 * kPadding);
+  pixels_.Resize(static_cast<std::size_t>(size.area()));
   for (int y = 0; y < size.height; ++y) {
     const float* disparity = coarse.disparity.ptr<float>(y);
     const std::uint8_t* confident = coarse.confident.ptr<std::uint8_t>(y);
     float* row = disparity_.data() + Index(0, y);
     for (int x = 0; x < size.width; ++x) {
-      if (confident[x] == 0 || !std::isfinite(disparity[x])) continue;
-      row[x] = disparity[x];
-      free_.Set(x + kPadding, y + kPadding);
+      if (confident[x] != 0 && std::isfinite(disparity[x])) row[x] = disparity[x];
     }
   }
 }
@@ -144,98 +120,81 @@ void PlaneHypotheses::FindSeeds(ThreadPool* threads) {
   for (const std::vector<Seed>& row : seeds_of_row_) {
     seeds_.insert(seeds_.end(), row.begin(), row.end());
   }
-  std::sort(seeds_.begin(), seeds_.end(), [](const Seed& l, const Seed& r) {
-    return std::tie(l.rank, l.y, l.x) < std::tie(r.rank, r.y, r.x);
-  });
 }
 
 void PlaneHypotheses::FindSeedsOfRow(int row) {
   std::vector<Seed>& seeds = seeds_of_row_[static_cast<std::size_t>(row)];
   seeds.clear();
-  Seed seed;
-  for (int x = 0; x < map_.labels.cols; x += kSeedStep) {
-    if (FitSeed(x, row * kSeedStep, &seed)) seeds.push_back(seed);
+  const int y = row * kSeedStep;
+  const int width = map_.labels.cols;
+  SeedBatch batch;
+  for (int begin = 0; begin < width; begin += kSeedStep * kSeedBatch) {
+    const float* centre = disparity_.data() + Index(begin, y);
+    FitSeeds(centre, stride_, &batch);
+    for (std::size_t i = 0; i < kSeedBatch; ++i, centre += kSeedStep) {
+      const int x = begin + static_cast<int>(i) * kSeedStep;
+      if (x >= width || std::isinf(batch.rank[i])) continue;
+      const double c = batch.c[i] + *centre - batch.a[i] * x - batch.b[i] * y;
+      seeds.push_back({batch.rank[i], x, y, {batch.a[i], batch.b[i], c}});
+    }
   }
-}
-
-bool PlaneHypotheses::FitSeed(int x, int y, Seed* seed) const {
-  const float* centre = disparity_.data() + Index(x, y);
-  if (std::isnan(*centre)) return false;
-  const PlaneMoments moments = WindowMoments(centre, stride_);
-  const double fill = moments.weight() / kSeedWindow;
-  if (fill < kSeedFill) return false;
-  const DisparityPlane local = moments.Fit();
-  seed->rank = moments.Rms(local) + kMissingPenalty * (1.0 - fill);
-  seed->x = x;
-  seed->y = y;
-  seed->plane = {local.a, local.b, local.c + *centre - local.a * x - local.b * y};
-  return true;
 }
 
 void PlaneHypotheses::Grow(const Seed& seed) {
-  pixels_.clear();
+  const auto origin = static_cast<std::size_t>(Index(0, 0));
+  region_ = {&disparity_[origin], &reached_[origin], stride_, pixels_.data(), 0};
   moments_ = PlaneMoments();
-  Take(seed.x, seed.y);
+  summed_ = 0;
+  TakePixel(seed.x, seed.y, &region_);
   DisparityPlane plane = seed.plane;
   double next_fit = kRefitGrowth * kSeedWindow;
-  for (std::size_t i = 0; i < pixels_.size(); ++i) {
-    TakeAround(static_cast<int>(pixels_[i].x), static_cast<int>(pixels_[i].y), plane);
-    if (static_cast<double>(pixels_.size()) > next_fit) {
-      plane = moments_.Fit();
-      next_fit = kRefitGrowth * static_cast<double>(pixels_.size());
-    }
+  for (std::size_t next = 0; next < region_.count;) {
+    next = GrowRegion(plane, next, next_fit, &region_);
+    plane = Moments().Fit();
+    next_fit = kRefitGrowth * static_cast<double>(region_.count);
   }
 }
 
-// Around most pixels of a region all are taken: whole rows are passed over by their bits.
-void PlaneHypotheses::TakeAround(int x, int y, const DisparityPlane& plane) {
-  const float slope = static_cast<float>(plane.a);
-  for (int dy = -kGap; dy <= kGap; ++dy) {
-    const unsigned free = free_.Window(x - kGap + kPadding, y + dy + kPadding);
-    if (free == 0) continue;
-    const float* row = disparity_.data() + Index(x, y + dy);
-    const float centre = static_cast<float>(plane.At(x, y + dy));
-    for (int dx = -kGap; dx <= kGap; ++dx) {
-      if ((free >> (dx + kGap) & 1U) == 0) continue;
-      const float residual = row[dx] - (centre + slope * static_cast<float>(dx));
-      if (std::abs(residual) < kGrowRange) Take(x + dx, y + dy);
-    }
+// Of the region so far.
+const PlaneMoments& PlaneHypotheses::Moments() {
+  PlaneMoments moments = moments_;  // in registers
+  for (; summed_ < region_.count; ++summed_) {
+    const DisparitySample& s = pixels_[summed_];
+    moments.Add(s.x, s.y, s.disparity);
   }
-}
-
-void PlaneHypotheses::Take(int x, int y) {
-  const std::size_t i = static_cast<std::size_t>(Index(x, y));
-  pixels_.push_back({static_cast<float>(x), static_cast<float>(y), disparity_[i]});
-  moments_.Add(x, y, disparity_[i]);
-  free_.Clear(x + kPadding, y + kPadding);
-  reached_[i] = 1;
+  return moments_ = moments;
 }
 
 bool PlaneHypotheses::Keep(int min_area) {
-  if (static_cast<int>(pixels_.size()) < min_area) return false;
+  if (static_cast<int>(region_.count) < min_area) return false;
+  DisparitySample* const first = region_.pixels;
+  DisparitySample* const last = first + region_.count;
   const DisparityPlane plane =
-      RefitHuber(pixels_, moments_.Fit(), kHuberThreshold, kHuberIterations);
+      RefitHuber(first, region_.count, moments_.Fit(), kHuberThreshold, kHuberIterations);
   const auto near = [&plane](const DisparitySample& s) {
     return std::abs(plane.At(s.x, s.y) - s.disparity) < kGrowRange;
   };
-  const auto far = std::partition(pixels_.begin(), pixels_.end(), near);
-  const int area = static_cast<int>(far - pixels_.begin());
+  DisparitySample* const far = std::partition(first, last, near);
+  const int area = static_cast<int>(far - first);
   if (area < std::max(1, min_area)) return false;
   PlaneMoments kept;
-  for (auto s = pixels_.begin(); s != far; ++s) kept.Add(s->x, s->y, s->disparity);
+  for (const DisparitySample* s = first; s != far; ++s) kept.Add(s->x, s->y, s->disparity);
   if (kept.Rms(plane) > kMaxRms) return false;
   Release(far);
   const auto label = static_cast<std::int16_t>(map_.planes.size());
-  for (auto s = pixels_.begin(); s != far; ++s) {
+  for (const DisparitySample* s = first; s != far; ++s) {
     map_.labels.at<std::int16_t>(static_cast<int>(s->y), static_cast<int>(s->x)) = label;
   }
   map_.planes.push_back({plane, area, kept.Rms(plane)});
   return true;
 }
 
-void PlaneHypotheses::Release(std::vector<DisparitySample>::const_iterator first) {
-  for (auto s = first; s != pixels_.end(); ++s) {
-    free_.Set(static_cast<int>(s->x) + kPadding, static_cast<int>(s->y) + kPadding);
+// Gives the pixels of the region from `first` on back to the image.
+void PlaneHypotheses::Release(const DisparitySample* first) {
+  const DisparitySample* const last = region_.pixels + region_.count;
+  for (const DisparitySample* s = first; s != last; ++s) {
+    const int index = Index(static_cast<int>(s->x), static_cast<int>(s->y));
+    disparity_[static_cast<std::size_t>(index)] = s->disparity;
   }
 }
 

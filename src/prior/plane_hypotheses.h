@@ -2,14 +2,16 @@
 #ifndef STEREO_SGMP_PRIOR_PLANE_HYPOTHESES_H_
 #define STEREO_SGMP_PRIOR_PLANE_HYPOTHESES_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include <opencv2/core.hpp>
 
+#include "common/aligned_buffer.h"
 #include "common/thread_pool.h"
-#include "prior/bit_rows.h"
 #include "prior/plane_fit.h"
+#include "prior/region_growth_kernel.h"
 #include "stereo_sgmp/disparity_plane.h"
 #include "stereo_sgmp/options.h"
 
@@ -58,31 +60,29 @@ class PlaneHypotheses {
   void Load(const CoarseDisparity& coarse);
   void FindSeeds(ThreadPool* threads);
   void FindSeedsOfRow(int row);
-  bool FitSeed(int x, int y, Seed* seed) const;
+  void GrowFromSeeds(int min_area);
   void Grow(const Seed& seed);
-  void TakeAround(int x, int y, const DisparityPlane& plane);
-  void Take(int x, int y);
+  const PlaneMoments& Moments();
   // Makes the region a plane, if it is one; pixels far from the final plane are given back.
   bool Keep(int min_area);
-  void Release(std::vector<DisparitySample>::const_iterator first);
+  void Release(const DisparitySample* first);
   void SortByArea();
 
   int Index(int x, int y) const;
 
   // Padded, so that windows and gaps need no test for the border. Not a number where there is no
-  // confident disparity.
+  // confident disparity, or a region has taken it.
   std::vector<float> disparity_;
-  // Padded: where there is a confident disparity that no region has taken.
-  BitRows free_;
   // Padded: whether a region has ever reached the pixel; such pixels don't seed another.
   std::vector<std::uint8_t> reached_;
   int stride_ = 0;
   std::vector<std::vector<Seed>> seeds_of_row_;
   std::vector<Seed> seeds_;
 
-  // The region that grows.
-  std::vector<DisparitySample> pixels_;
-  PlaneMoments moments_;
+  Region region_;                          // that grows
+  AlignedBuffer<DisparitySample> pixels_;  // its
+  PlaneMoments moments_;                   // of its first pixels,
+  std::size_t summed_ = 0;                 // so many
 
   std::vector<std::int16_t> order_;
   std::vector<std::int16_t> new_label_;
