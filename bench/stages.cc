@@ -9,6 +9,7 @@
 #include "common/aligned_buffer.h"
 #include "common/thread_pool.h"
 #include "cost/cost_computer.h"
+#include "cost/radiometric_fit.h"
 #include "images/image_pair.h"
 #include "matcher/coarse_pass.h"
 #include "matcher/disparity_refiner.h"
@@ -53,7 +54,10 @@ class Pipeline {
   // What each frame of a rig with a residual does.
   void Warp() { WarpRows(images_.right_gray(), 1.001, 0.3, &warped_, &pool_); }
 
-  void Coarse() { coarse_.Run(options_, images_, &pool_); }
+  void Coarse() {
+    coarse_.Run(options_, images_, &pool_);
+    fit_ = coarse_.FitRadiometry(options_.cost.kind);
+  }
 
   // One plane for each pixel, without the copies that would make it a 3D prior.
   PathPrior EpiPrior() { return MakePrior(Variant::kEpi, 0.0, &epi_stage_); }
@@ -61,7 +65,7 @@ class Pipeline {
 
   void PrepareCost() {
     costs_ = &computer_.Prepare(options_.cost, images_.left_gray(), images_.right_gray(), shape_,
-                                coarse_.radiometric_fit(), PathUnit(options_, false), &pool_);
+                                fit_, PathUnit(options_, false), &pool_);
   }
 
   // All costs once, as a sweep asks for them, without using them.
@@ -91,7 +95,7 @@ class Pipeline {
     PriorOptions options = options_.prior;
     options.variant = variant;
     options.attraction = attraction;
-    return stage->Make(options, MatchInputs(), images_, coarse_, shape_, &pool_, &report_);
+    return stage->Make(options, MatchInputs(), images_, coarse_, shape_, &pool_, nullptr, &report_);
   }
 
   void Aggregate(const PathPrior& prior) {
@@ -106,6 +110,7 @@ class Pipeline {
   ImagePair images_;
   cv::Mat warped_;
   CoarsePass coarse_;
+  RadiometricFit fit_;
   PriorStage epi_stage_;
   PriorStage epv_stage_;
   PathPrior epi_prior_;

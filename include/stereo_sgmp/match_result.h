@@ -56,8 +56,10 @@ struct StageTime {
 };
 
 struct MatchStatistics {
-  double frame_ms = 0.0;                  // the whole call
-  std::vector<StageTime> stages;          // wall time of each stage, in order; they sum to frame_ms
+  double frame_ms = 0.0;  // the whole call
+  // Wall time of each stage, in order; they sum to frame_ms. Costs that are prepared while planes
+  // are found add nothing to it.
+  std::vector<StageTime> stages;
   int planes = 0;                         // number of plane hypotheses
   double density = 0.0;                   // share of the pixels that are valid, 0..1
   int reasons[kInvalidReasonCount] = {};  // pixels per InvalidReason

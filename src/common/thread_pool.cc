@@ -46,6 +46,74 @@ void PinTo(int core, std::thread* thread) {
   pthread_setaffinity_np(thread->native_handle(), sizeof(only), &only);
 }
 
+// The jobs of a list, for threads that take them.
+class JobList {
+ public:
+  explicit JobList(const std::vector<ThreadPool::Job>& jobs)
+      : jobs_(jobs), states_(jobs.size(), State::kWaiting) {}
+
+  // Begins jobs for as long as there are any, or the jobs that they wait for may still end.
+  void Work() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    for (;;) {
+      const std::size_t next = FirstReady();
+      if (failed_ || IsOver(next)) return;
+      if (next == jobs_.size()) {
+        changed_.wait(lock);
+        ThreadPool::MoveApart();
+        continue;
+      }
+      states_[next] = State::kBegun;
+      lock.unlock();
+      try {
+        jobs_[next].work();
+      } catch (...) {
+        End(next, true);
+        throw;
+      }
+      End(next, false);
+      lock.lock();
+    }
+  }
+
+ private:
+  enum class State { kWaiting, kBegun, kDone };
+
+  bool IsReady(std::size_t job) const {
+    const std::vector<std::size_t>& after = jobs_[job].after;
+    return states_[job] == State::kWaiting &&
+           std::all_of(after.begin(), after.end(),
+                       [this](std::size_t i) { return states_[i] == State::kDone; });
+  }
+
+  std::size_t FirstReady() const {
+    std::size_t job = 0;
+    while (job < jobs_.size() && !IsReady(job)) ++job;
+    return job;
+  }
+
+  // Whether nothing waits any more, if the first that is ready is `next`.
+  bool IsOver(std::size_t next) const {
+    return next == jobs_.size() &&
+           std::find(states_.begin(), states_.end(), State::kWaiting) == states_.end();
+  }
+
+  void End(std::size_t job, bool failed) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      states_[job] = State::kDone;
+      failed_ = failed_ || failed;
+    }
+    changed_.notify_all();
+  }
+
+  const std::vector<ThreadPool::Job>& jobs_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<State> states_;
+  bool failed_ = false;
+};
+
 }  // namespace
 
 int ThreadPool::Count(int threads) {
@@ -101,6 +169,11 @@ void ThreadPool::ForRanges(int count, const std::function<void(int, int)>& body)
   });
 }
 
+void ThreadPool::RunJobs(const std::vector<Job>& jobs) {
+  JobList list(jobs);
+  Run([&list](int) { list.Work(); });
+}
+
 void ThreadPool::Work(int index) {
   std::uint64_t seen = 0;
   for (;;) {
@@ -125,6 +198,7 @@ void ThreadPool::MoveApart() {
 }
 
 void ThreadPool::Execute(int index) {
+  const Part around = current_part;  // where a job has a pool of its own
   current_part = {&spread_, index};
   MoveApart();
   try {
@@ -133,7 +207,7 @@ void ThreadPool::Execute(int index) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!error_) error_ = std::current_exception();
   }
-  current_part = Part();
+  current_part = around;
 }
 
 }  // namespace stereo_sgmp

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <functional>
@@ -37,6 +38,17 @@ class ThreadPool {
 
   // Calls body(begin, end) over a partition of [0, count) into contiguous ranges.
   void ForRanges(int count, const std::function<void(int, int)>& body);
+
+  // Work, and which of the jobs before it in the list must be done first.
+  struct Job {
+    std::function<void()> work;
+    std::vector<std::size_t> after;
+  };
+
+  // Does all jobs, as many at a time as there are threads: a thread that is free begins the first
+  // that may begin. Each is done by one thread, and must not give the pool a task. Of those that
+  // throw, the first exception is thrown again here; jobs that have not begun by then are left.
+  void RunJobs(const std::vector<Job>& jobs);
 
   // For tasks whose parts wait for each other, while the calling part waits: moves it away from the
   // core of another part. Does nothing outside of tasks.

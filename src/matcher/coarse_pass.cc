@@ -52,9 +52,11 @@ void CoarsePass::Run(const Options& options, const ImagePair& full, ThreadPool* 
   RefineSubpixel(winners_, Subpixel::kParabola, &disparity_, pool);
   confident_.Select(winners_.uncertainty, disparity_, winners_.right_winner, shape.min_disparity,
                     options.prior.keep_quantile);
-  fit_ = options.cost.kind == CostKind::kMixed
-             ? radiometry_.Fit(images_.left_gray(), images_.right_gray(), disparity_, confident())
-             : RadiometricFit();
+}
+
+RadiometricFit CoarsePass::FitRadiometry(CostKind kind) {
+  if (kind != CostKind::kMixed) return RadiometricFit();
+  return radiometry_.Fit(images_.left_gray(), images_.right_gray(), disparity_, confident());
 }
 
 }  // namespace stereo_sgmp

@@ -25,7 +25,9 @@ class CoarsePass {
   const cv::Mat& image() const { return images_.left_color(); }
   const cv::Mat& disparity() const { return disparity_; }  // CV_32F, coarse pixels
   const cv::Mat& confident() const { return confident_.mask(); }
-  const RadiometricFit& radiometric_fit() const { return fit_; }
+
+  // What `kind` needs to know of the exposures of the pair that Run has seen.
+  RadiometricFit FitRadiometry(CostKind kind);
 
   // The volume of the coarse pass for a full-resolution one.
   static VolumeShape Shape(const Options& options, cv::Size full);
@@ -38,7 +40,6 @@ class CoarsePass {
   cv::Mat disparity_;
   ConfidentPixels confident_;
   RadiometricFitter radiometry_;
-  RadiometricFit fit_;
 };
 
 }  // namespace stereo_sgmp

@@ -1,5 +1,6 @@
 #include "stereo_sgmp/matcher.h"
 
+#include <functional>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -33,6 +34,10 @@ void CheckRange(const Options& options, cv::Size size) {
 bool NeedsCoarsePass(const Options& options) {
   return options.prior.variant != Variant::kSgm || options.cost.kind == CostKind::kMixed;
 }
+
+// Whether one thread prepares the costs in about the time that others find planes in. Those of NCC
+// are computed then, the others when they are asked for.
+bool IsPreparedFast(CostKind kind) { return kind != CostKind::kNcc; }
 
 }  // namespace
 
@@ -72,20 +77,20 @@ class Matcher::Impl {
 
     if (NeedsCoarsePass(options_)) coarse_.Run(options_, images_, pool_.get());
     clock.Mark("coarse pass");
+    const CostRows* costs = given_costs ? &*given_costs : nullptr;
+    const std::function<void()> prepare_costs = [&] { costs = &PrepareCosts(shape, &one_thread_); };
+    const bool beside = costs == nullptr && IsPreparedFast(options_.cost.kind);
     const PathPrior prior =
-        prior_.Make(options_.prior, inputs, images_, coarse_, shape, pool_.get(), &result->priors);
+        prior_.Make(options_.prior, inputs, images_, coarse_, shape, pool_.get(),
+                    beside ? prepare_costs : nullptr, &result->priors);
     result->statistics.planes = static_cast<int>(result->priors.planes.size());
     clock.Mark("prior");
 
-    const CostRows& costs =
-        given_costs
-            ? static_cast<const CostRows&>(*given_costs)
-            : costs_.Prepare(options_.cost, images_.left_gray(), images_.right_gray(), shape,
-                             coarse_.radiometric_fit(), PathUnit(options_, false), pool_.get());
+    if (costs == nullptr) costs = &PrepareCosts(shape, pool_.get());
     clock.Mark("cost");
     const cv::Mat& guide =
         options_.aggregation.color_guide ? images_.left_color() : images_.left_gray();
-    aggregator_.Run(costs, guide, options_.aggregation, prior, StripRows(options_, size, inputs),
+    aggregator_.Run(*costs, guide, options_.aggregation, prior, StripRows(options_, size, inputs),
                     pool_.get(), &winners_);
     clock.Mark("aggregation");
     refiner_.Run(winners_, images_.left_color(), options_, pool_.get(), result);
@@ -107,9 +112,16 @@ class Matcher::Impl {
     return report;
   }
 
+  const CostRows& PrepareCosts(const VolumeShape& shape, ThreadPool* pool) {
+    return costs_.Prepare(options_.cost, images_.left_gray(), images_.right_gray(), shape,
+                          coarse_.FitRadiometry(options_.cost.kind), PathUnit(options_, false),
+                          pool);
+  }
+
   Options options_;
   std::unique_ptr<ThreadPool> pool_;
-  std::size_t held_ = 0;  // bytes of the buffers of the last frame
+  ThreadPool one_thread_{1};  // for what one thread of the other does alone
+  std::size_t held_ = 0;      // bytes of the buffers of the last frame
   ImagePair images_;
   RigAlignment alignment_;
   cv::Mat warped_;

@@ -85,18 +85,20 @@ void CheckInputs(Variant variant, const MatchInputs& inputs, cv::Size size) {
 
 PathPrior PriorStage::Make(const PriorOptions& options, const MatchInputs& inputs,
                            const ImagePair& images, const CoarsePass& coarse,
-                           const VolumeShape& shape, ThreadPool* pool, PlanePriors* report) {
+                           const VolumeShape& shape, ThreadPool* pool,
+                           const std::function<void()>& beside, PlanePriors* report) {
   report->variant = options.variant;
   report->note.clear();
   switch (options.variant) {
     case Variant::kEpi:
     case Variant::kEpv:
       return FromPlanes(options, {coarse.disparity(), coarse.confident()}, coarse.image(), shape,
-                        pool, report);
+                        pool, beside, report);
     case Variant::kGp:
-      return FromPlanesOfSurface(options, inputs.surface, coarse, shape, pool, report);
+      return FromPlanesOfSurface(options, inputs.surface, coarse, shape, pool, beside, report);
     case Variant::kMw:
-      return FromManhattanWorld(options, *inputs.camera, images, coarse, shape, pool, report);
+      return FromManhattanWorld(options, *inputs.camera, images, coarse, shape, pool, beside,
+                                report);
     case Variant::kSgm:
     case Variant::kGs:
     case Variant::kGni:
@@ -113,8 +115,10 @@ PathPrior PriorStage::Make(const PriorOptions& options, const MatchInputs& input
 
 PathPrior PriorStage::FromPlanes(const PriorOptions& options, const CoarseDisparity& coarse,
                                  const cv::Mat& coarse_left, const VolumeShape& shape,
-                                 ThreadPool* pool, PlanePriors* report) {
-  const OrientationPrior* prior = estimated_.Estimate(options, coarse, coarse_left, shape, pool);
+                                 ThreadPool* pool, const std::function<void()>& beside,
+                                 PlanePriors* report) {
+  const OrientationPrior* prior =
+      estimated_.Estimate(options, coarse, coarse_left, shape, pool, beside);
   report->planes = estimated_.report().planes;
   estimated_.report().labels.copyTo(report->labels);
   return {prior, estimated_.parallel(), options.jump_slack};
@@ -128,17 +132,19 @@ PathPrior PriorStage::FromSurface(const cv::Mat& surface, const VolumeShape& sha
 // The planes of a given surface are found and spread as those of a coarse disparity map (EPi).
 PathPrior PriorStage::FromPlanesOfSurface(PriorOptions options, const cv::Mat& surface,
                                           const CoarsePass& coarse, const VolumeShape& shape,
-                                          ThreadPool* pool, PlanePriors* report) {
+                                          ThreadPool* pool, const std::function<void()>& beside,
+                                          PlanePriors* report) {
   ShrinkSurface(surface, coarse.image().size(), &coarse_surface_, &known_);
   options.variant = Variant::kEpi;
   options.jump_slack = -1;
-  return FromPlanes(options, {coarse_surface_, known_}, coarse.image(), shape, pool, report);
+  return FromPlanes(options, {coarse_surface_, known_}, coarse.image(), shape, pool, beside,
+                    report);
 }
 
 PathPrior PriorStage::FromManhattanWorld(const PriorOptions& options, const StereoCamera& camera,
                                          const ImagePair& images, const CoarsePass& coarse,
                                          const VolumeShape& shape, ThreadPool* pool,
-                                         PlanePriors* report) {
+                                         const std::function<void()>& beside, PlanePriors* report) {
   const CoarseDisparity disparity{coarse.disparity(), coarse.confident()};
   const OrientationPrior* prior = manhattan_.Estimate(options, disparity, images.left_color(),
                                                       coarse.image(), camera, shape, pool);
@@ -153,7 +159,7 @@ PathPrior PriorStage::FromManhattanWorld(const PriorOptions& options, const Ster
   report->note = manhattan_.frame() ? "no plane lies along the three directions of the lines"
                                     : "the lines of the image show no three orthogonal directions";
   report->note += "; the prior is that of epv";
-  return FromPlanes(fallback, disparity, coarse.image(), shape, pool, report);
+  return FromPlanes(fallback, disparity, coarse.image(), shape, pool, beside, report);
 }
 
 }  // namespace stereo_sgmp

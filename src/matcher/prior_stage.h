@@ -1,6 +1,8 @@
 #ifndef STEREO_SGMP_MATCHER_PRIOR_STAGE_H_
 #define STEREO_SGMP_MATCHER_PRIOR_STAGE_H_
 
+#include <functional>
+
 #include <opencv2/core.hpp>
 
 #include "aggregation/aggregator.h"
@@ -26,22 +28,26 @@ void CheckInputs(Variant variant, const MatchInputs& inputs, cv::Size size);
 class PriorStage {
  public:
   // Without priors where there is nothing to follow; they are valid until the next call. `report`
-  // says what was found. `inputs` must have passed CheckInputs.
+  // says what was found. `inputs` must have passed CheckInputs. `beside` is done as
+  // EstimatedPrior::Estimate does it by those variants that have estimated planes, and by others
+  // not; it may be empty.
   PathPrior Make(const PriorOptions& options, const MatchInputs& inputs, const ImagePair& images,
                  const CoarsePass& coarse, const VolumeShape& shape, ThreadPool* pool,
-                 PlanePriors* report);
+                 const std::function<void()>& beside, PlanePriors* report);
 
  private:
   PathPrior FromPlanes(const PriorOptions& options, const CoarseDisparity& coarse,
                        const cv::Mat& coarse_left, const VolumeShape& shape, ThreadPool* pool,
-                       PlanePriors* report);
+                       const std::function<void()>& beside, PlanePriors* report);
   PathPrior FromSurface(const cv::Mat& surface, const VolumeShape& shape);
   PathPrior FromPlanesOfSurface(PriorOptions options, const cv::Mat& surface,
                                 const CoarsePass& coarse, const VolumeShape& shape,
-                                ThreadPool* pool, PlanePriors* report);
+                                ThreadPool* pool, const std::function<void()>& beside,
+                                PlanePriors* report);
   PathPrior FromManhattanWorld(const PriorOptions& options, const StereoCamera& camera,
                                const ImagePair& images, const CoarsePass& coarse,
-                               const VolumeShape& shape, ThreadPool* pool, PlanePriors* report);
+                               const VolumeShape& shape, ThreadPool* pool,
+                               const std::function<void()>& beside, PlanePriors* report);
 
   EstimatedPrior estimated_;
   SurfacePrior surface_;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "prior/nearest_planes.h"
 
@@ -22,24 +23,40 @@ void SetsOfLabels(const cv::Mat& labels, std::size_t planes, PlaneSets* sets) {
   labels.convertTo(sets->ids, CV_16U, 1.0, 1.0);
 }
 
+// Those that are not empty; in their order where there are no threads.
+void RunJobs(std::vector<ThreadPool::Job> jobs, ThreadPool* threads) {
+  for (ThreadPool::Job& job : jobs) {
+    if (!job.work) job.work = [] {};
+  }
+  if (threads != nullptr) {
+    threads->RunJobs(jobs);
+  } else {
+    for (const ThreadPool::Job& job : jobs) job.work();
+  }
+}
+
 }  // namespace
 
 const OrientationPrior* EstimatedPrior::Estimate(const PriorOptions& options,
                                                  const CoarseDisparity& coarse,
                                                  const cv::Mat& coarse_left,
-                                                 const VolumeShape& full, ThreadPool* threads) {
+                                                 const VolumeShape& full, ThreadPool* threads,
+                                                 const std::function<void()>& beside) {
   report_.planes.clear();
   if (options.variant == Variant::kSgm) {
     report_.labels.release();
     return nullptr;
   }
-  hypotheses_.Find(coarse, SmallestPlane(options, coarse.disparity.size()), threads);
-  ScaleUp(CoarseScale::Between({full.width, full.height}, coarse.disparity.size()));
   const PlaneSets& sets = options.variant == Variant::kEpi
-                              ? SpreadOverSuperpixels(options, coarse_left, threads)
-                              : SpreadOverHulls(options, coarse.disparity, coarse_left, threads);
+                              ? SpreadOverSuperpixels(options, coarse, coarse_left, threads, beside)
+                              : SpreadOverHulls(options, coarse, coarse_left, threads, beside);
+  ScaleUp(CoarseScale::Between({full.width, full.height}, coarse.disparity.size()));
   steering_.Assign(options, full_planes_, sets, full);
   return steering_.attracting();
+}
+
+void EstimatedPrior::FindPlanes(const PriorOptions& options, const CoarseDisparity& coarse) {
+  hypotheses_.Find(coarse, SmallestPlane(options, coarse.disparity.size()), nullptr);
 }
 
 void EstimatedPrior::ScaleUp(const CoarseScale& scale) {
@@ -51,8 +68,11 @@ void EstimatedPrior::ScaleUp(const CoarseScale& scale) {
 }
 
 const PlaneSets& EstimatedPrior::SpreadOverSuperpixels(const PriorOptions& options,
+                                                       const CoarseDisparity& coarse,
                                                        const cv::Mat& coarse_left,
-                                                       ThreadPool* threads) {
+                                                       ThreadPool* threads,
+                                                       const std::function<void()>& beside) {
+  RunJobs({{[&] { FindPlanes(options, coarse); }, {}}, {beside, {}}}, threads);
   superpixels_.Segment(coarse_left, options.superpixel_size, kCompactness, threads);
   modal_.Assign(hypotheses_.map(), superpixels_, options.min_support);
   modal_.labels().copyTo(report_.labels);
@@ -62,29 +82,24 @@ const PlaneSets& EstimatedPrior::SpreadOverSuperpixels(const PriorOptions& optio
     cv::compare(report_.labels, 0, unlabelled_, cv::CMP_LT);
     modal_.labels().copyTo(report_.labels, unlabelled_);
   }
-  SetsOfLabels(report_.labels, full_planes_.size(), &modal_sets_);
+  SetsOfLabels(report_.labels, hypotheses_.map().planes.size(), &modal_sets_);
   return modal_sets_;
 }
 
 const PlaneSets& EstimatedPrior::SpreadOverHulls(const PriorOptions& options,
-                                                 const cv::Mat& disparity,
-                                                 const cv::Mat& coarse_left, ThreadPool* threads) {
-  const auto do_part = [&](int begin, int end) {
-    for (int part = begin; part < end; ++part) {
-      if (part == 0) hulls_.Build(hypotheses_.map());
-      if (part == 1 && options.spread) SpreadLabels(coarse_left);
-    }
-  };
-  constexpr int kParts = 2;
-  if (threads != nullptr) {
-    threads->ForRanges(kParts, do_part);
-  } else {
-    do_part(0, kParts);
-  }
+                                                 const CoarseDisparity& coarse,
+                                                 const cv::Mat& coarse_left, ThreadPool* threads,
+                                                 const std::function<void()>& beside) {
+  constexpr std::size_t kFind = 0;
+  std::vector<ThreadPool::Job> jobs = {{[&] { FindPlanes(options, coarse); }, {}},
+                                       {beside, {}},
+                                       {[&] { hulls_.Build(hypotheses_.map()); }, {kFind}}};
+  if (options.spread) jobs.push_back({[&] { SpreadLabels(coarse_left); }, {kFind}});
+  RunJobs(jobs, threads);
   if (options.spread) hulls_.FillEmpty(spread_.labels);
   coarse_planes_.clear();
-  for (const CoarsePlane& coarse : hypotheses_.map().planes) coarse_planes_.push_back(coarse.plane);
-  LabelNearestPlanes(hulls_.sets(), coarse_planes_, disparity, &report_.labels);
+  for (const CoarsePlane& plane : hypotheses_.map().planes) coarse_planes_.push_back(plane.plane);
+  LabelNearestPlanes(hulls_.sets(), coarse_planes_, coarse.disparity, &report_.labels, threads);
   return hulls_.sets();
 }
 

@@ -2,6 +2,7 @@
 #ifndef STEREO_SGMP_PRIOR_ESTIMATED_PRIOR_H_
 #define STEREO_SGMP_PRIOR_ESTIMATED_PRIOR_H_
 
+#include <functional>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -27,14 +28,17 @@ class EstimatedPrior {
  public:
   // Finds planes in `coarse` and spreads them as options.variant says. `coarse_left` is the left
   // image at the size of the coarse maps (CV_8U, 1, 3 or 4 channels; kEpi and PriorOptions::spread
-  // use it), `full` the volume the prior is for. `threads` may be null.
+  // use it), `full` the volume the prior is for. `threads` may be null. Planes grow on one thread:
+  // `beside`, which must not use `threads`, is done once on another (unless the variant is kSgm),
+  // and is over on return. It may be empty.
   //
   // Returns the prior, which is this object's and holds until the next call, or null where there
   // is nothing to follow: no plane was found, or the variant is kSgm.
   // Throws std::invalid_argument where sizes or types don't fit.
   const OrientationPrior* Estimate(const PriorOptions& options, const CoarseDisparity& coarse,
                                    const cv::Mat& coarse_left, const VolumeShape& full,
-                                   ThreadPool* threads);
+                                   ThreadPool* threads,
+                                   const std::function<void()>& beside = nullptr);
 
   // The same prior without attraction, for the second round of PathScheme::kFourTwice.
   const OrientationPrior* parallel() const { return steering_.parallel(); }
@@ -43,10 +47,14 @@ class EstimatedPrior {
   const PlanePriors& report() const { return report_; }
 
  private:
-  const PlaneSets& SpreadOverSuperpixels(const PriorOptions& options, const cv::Mat& coarse_left,
-                                         ThreadPool* threads);
-  const PlaneSets& SpreadOverHulls(const PriorOptions& options, const cv::Mat& disparity,
-                                   const cv::Mat& coarse_left, ThreadPool* threads);
+  // Both find the planes.
+  const PlaneSets& SpreadOverSuperpixels(const PriorOptions& options, const CoarseDisparity& coarse,
+                                         const cv::Mat& coarse_left, ThreadPool* threads,
+                                         const std::function<void()>& beside);
+  const PlaneSets& SpreadOverHulls(const PriorOptions& options, const CoarseDisparity& coarse,
+                                   const cv::Mat& coarse_left, ThreadPool* threads,
+                                   const std::function<void()>& beside);
+  void FindPlanes(const PriorOptions& options, const CoarseDisparity& coarse);
   void SpreadLabels(const cv::Mat& coarse_left);
   void ScaleUp(const CoarseScale& scale);
 

@@ -82,7 +82,7 @@ CostVolume ComputeCosts(const LoadedPair& pair, const Options& options) {
                           options.min_disparity};
   CostComputer computer;
   return Copied(computer.Prepare(options.cost, images.left_gray(), images.right_gray(), shape,
-                                 coarse.radiometric_fit(), 1, &pool));
+                                 coarse.FitRadiometry(options.cost.kind), 1, &pool));
 }
 
 void Run(const Arguments& a) {

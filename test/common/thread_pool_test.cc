@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <ctime>
 #include <set>
 #include <stdexcept>
@@ -58,6 +59,55 @@ TEST(ThreadPoolTest, PassesAnExceptionOnAndGoesOn) {
     std::atomic<int> parts{0};
     pool.Run([&](int) { ++parts; });
     EXPECT_EQ(parts, 2);
+  }
+}
+
+TEST(ThreadPoolTest, JobsFollowThoseTheyWaitFor) {
+  for (const int threads : {1, 2, 4}) {
+    ThreadPool pool(threads);
+    for (int round = 0; round < 50; ++round) {
+      std::atomic<int> clock{0};
+      std::vector<int> begun(5, -1);
+      std::vector<int> done(5, -1);
+      std::vector<ThreadPool::Job> jobs;
+      const std::vector<std::vector<std::size_t>> after = {{}, {}, {0}, {0, 1}, {3}};
+      for (std::size_t i = 0; i < after.size(); ++i) {
+        jobs.push_back({[&, i] {
+                          begun[i] = clock++;
+                          done[i] = clock++;
+                        },
+                        after[i]});
+      }
+      pool.RunJobs(jobs);
+      EXPECT_EQ(clock, 10);
+      for (std::size_t i = 0; i < after.size(); ++i) {
+        for (const std::size_t first : after[i]) EXPECT_LT(done[first], begun[i]);
+      }
+    }
+  }
+}
+
+TEST(ThreadPoolTest, JobsRunSideBySide) {
+  ThreadPool pool(2);
+  std::atomic<bool> met{false};
+  const auto wait = [&] {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (!met && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+  };
+  pool.RunJobs({{wait, {}}, {[&] { met = true; }, {}}});
+  EXPECT_TRUE(met);
+}
+
+TEST(ThreadPoolTest, JobsAfterOneThatThrowsAreLeft) {
+  for (const int threads : {1, 2, 3}) {
+    ThreadPool pool(threads);
+    std::atomic<bool> followed{false};
+    const std::vector<ThreadPool::Job> jobs = {{[] { throw std::runtime_error("as wanted"); }, {}},
+                                               {[&] { followed = true; }, {0}}};
+    EXPECT_THROW(pool.RunJobs(jobs), std::runtime_error);
+    EXPECT_FALSE(followed);
+    pool.RunJobs({{[&] { followed = true; }, {}}});
+    EXPECT_TRUE(followed);
   }
 }
 
