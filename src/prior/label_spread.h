@@ -24,19 +24,20 @@ class LabelSpreader {
   void Spread(const cv::Mat& image, cv::Mat* labels);
 
  private:
-  struct Arrival {
-    int x;
-    int y;
-  };
+  void Load(const cv::Mat& image, const cv::Mat& labels);
+  void Seed(cv::Size size);
+  void Leave(std::int32_t from, int cost);
+  void Arrive(std::int32_t at, int cost, std::int16_t label);
 
-  void Seed(const cv::Mat& labels);
-  void Leave(const cv::Mat& image, Arrival from, int cost, cv::Mat* labels);
+  std::int32_t Index(int x, int y) const { return (y + 1) * stride_ + x + 1; }
 
-  std::size_t CostIndex(int x, int y) const;
-
-  std::vector<std::uint8_t> cost_;  // of the cheapest path so far; with a margin of one pixel
-  std::size_t stride_ = 0;
-  std::vector<std::vector<Arrival>> arrivals_;  // by cost: pixels that paths reach
+  // All with a margin of one pixel.
+  std::int32_t stride_ = 0;
+  std::vector<std::uint8_t> cost_;   // of the cheapest path so far
+  std::vector<std::uint8_t> right_;  // of the step to the next pixel of the row
+  std::vector<std::uint8_t> down_;   // of the step to the next row
+  std::vector<std::int16_t> labels_;
+  std::vector<std::vector<std::int32_t>> arrivals_;  // by cost: pixels that paths reach
 };
 
 }  // namespace stereo_sgmp

@@ -1,0 +1,90 @@
+#include "prior/step_cost_kernel.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "prior/step_cost_kernel.cc"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace stereo_sgmp {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class V>
+HWY_INLINE V Difference(V a, V b) {
+  return hn::Sub(hn::Max(a, b), hn::Min(a, b));
+}
+
+template <int kChannels, class D>
+HWY_INLINE hn::Vec<D> LargestDifference(D d, const std::uint8_t* from, const std::uint8_t* to) {
+  using V = hn::Vec<D>;
+  if constexpr (kChannels == 1) {
+    return Difference(hn::LoadU(d, from), hn::LoadU(d, to));
+  } else {
+    V a0, a1, a2, a3, b0, b1, b2, b3;
+    if constexpr (kChannels == 3) {
+      hn::LoadInterleaved3(d, from, a0, a1, a2);
+      hn::LoadInterleaved3(d, to, b0, b1, b2);
+    } else {
+      hn::LoadInterleaved4(d, from, a0, a1, a2, a3);
+      hn::LoadInterleaved4(d, to, b0, b1, b2, b3);
+    }
+    return hn::Max(hn::Max(Difference(a0, b0), Difference(a1, b1)), Difference(a2, b2));
+  }
+}
+
+template <int kChannels, class D>
+HWY_INLINE void StepCostsOf(D d, const std::uint8_t* from, const std::uint8_t* to, int count,
+                            std::uint8_t* costs) {
+  constexpr std::uint8_t kStepCost = 2;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  for (int x = 0; x < count; x += lanes) {
+    // The last vector overlaps the one before.
+    const int begin = HWY_MIN(x, count - lanes);
+    const auto difference =
+        LargestDifference<kChannels>(d, from + kChannels * begin, to + kChannels * begin);
+    hn::StoreU(hn::SaturatedAdd(difference, hn::Set(d, kStepCost)), d, costs + begin);
+  }
+}
+
+template <int kChannels>
+HWY_INLINE void StepCostsOfRow(const std::uint8_t* from, const std::uint8_t* to, int count,
+                               std::uint8_t* costs) {
+  const hn::ScalableTag<std::uint8_t> wide;
+  const hn::CappedTag<std::uint8_t, 16> narrow;  // coarse rows are short
+  if (count >= static_cast<int>(hn::Lanes(wide))) {
+    StepCostsOf<kChannels>(wide, from, to, count, costs);
+  } else if (count >= static_cast<int>(hn::Lanes(narrow))) {
+    StepCostsOf<kChannels>(narrow, from, to, count, costs);
+  } else {
+    StepCostsOf<kChannels>(hn::CappedTag<std::uint8_t, 1>(), from, to, count, costs);
+  }
+}
+
+void StepCostsOnTarget(const std::uint8_t* from, const std::uint8_t* to, int channels, int count,
+                       std::uint8_t* costs) {
+  if (channels == 1) {
+    StepCostsOfRow<1>(from, to, count, costs);
+  } else if (channels == 3) {
+    StepCostsOfRow<3>(from, to, count, costs);
+  } else {
+    StepCostsOfRow<4>(from, to, count, costs);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace stereo_sgmp
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace stereo_sgmp {
+
+HWY_EXPORT(StepCostsOnTarget);
+
+void StepCosts(const std::uint8_t* from, const std::uint8_t* to, int channels, int count,
+               std::uint8_t* costs) {
+  HWY_DYNAMIC_DISPATCH(StepCostsOnTarget)(from, to, channels, count, costs);
+}
+
+}  // namespace stereo_sgmp
+#endif  // HWY_ONCE
