@@ -6,43 +6,13 @@
 #include <cstdint>
 #include <opencv2/imgproc.hpp>
 
+#include "images/area_kernel.h"
+
 namespace stereo_sgmp {
 namespace {
 
 // Shares of a pixel below this are left out.
 constexpr double kSmallestShare = 1e-3;
-
-// The pixels of a shrunk row, of which `first` are the first taps. Adds the taps up in order, as
-// floats round. kTaps: their number if it is known, else 0.
-template <int kChannels, int kTaps>
-void SumTaps(const float* source, const std::vector<int>& first, const float* weight, int taps,
-             float* out) {
-  if (kTaps != 0) taps = kTaps;
-  for (const int column : first) {
-    const float* tap = source + static_cast<std::ptrdiff_t>(column) * kChannels;
-    for (int c = 0; c < kChannels; ++c) {
-      float sum = 0.0F;
-      for (int k = 0; k < taps; ++k) sum += tap[k * kChannels + c] * weight[k];
-      *out++ = sum;
-    }
-    weight += taps;
-  }
-}
-
-// For the usual numbers of taps, those of factors from 2 to 4, unrolled.
-template <int kChannels>
-auto SumTapsOf(int taps) {
-  switch (taps) {
-    case 3:
-      return SumTaps<kChannels, 3>;
-    case 4:
-      return SumTaps<kChannels, 4>;
-    case 5:
-      return SumTaps<kChannels, 5>;
-    default:
-      return SumTaps<kChannels, 0>;
-  }
-}
 
 bool IsWholeMultiple(int from, int to) { return from % to == 0; }
 
@@ -75,20 +45,16 @@ void AreaShrinker::Axis::Assign(int from, int to) {
 
 void AreaShrinker::ShrinkRow(const cv::Mat& from, int y, Rows* rows) const {
   const int channels = from.channels();
-  const int length = from.cols * channels;
-  const std::uint8_t* source = from.ptr<std::uint8_t>(y);
-  for (int i = 0; i < length; ++i) {
-    rows->source[static_cast<std::size_t>(i)] = static_cast<float>(source[i]);
-  }
-  const auto sum_taps = channels == 1 ? SumTapsOf<1>(x_.taps) : SumTapsOf<3>(x_.taps);
-  sum_taps(rows->source.data(), x_.first, x_.weights.data(), x_.taps, rows->shrunk.data());
+  BytesToFloats(from.ptr(y), from.cols * channels, rows->source.data());
+  SumTaps(rows->source.data(), channels, x_.first, x_.weights.data(), x_.taps, rows->shrunk.data());
 }
 
 void AreaShrinker::MakeRows(const cv::Mat& from, int begin, int end, cv::Mat* to,
                             Rows* rows) const {
   const auto length = static_cast<std::size_t>(to->cols) * static_cast<std::size_t>(to->channels());
-  rows->source.resize(static_cast<std::size_t>((from.cols + x_.taps) * from.channels()));
-  rows->shrunk.resize(length);
+  rows->source.resize(
+      static_cast<std::size_t>((from.cols + x_.taps) * from.channels() + kTapOverrun));
+  rows->shrunk.resize(length + kTapOverrun);
   rows->sum.resize(length);
   int shrunk_y = -1;  // the row in rows->shrunk; neighbours of `to` share one
   for (int y = begin; y < end; ++y) {
@@ -98,7 +64,7 @@ void AreaShrinker::MakeRows(const cv::Mat& from, int begin, int end, cv::Mat* to
     for (int k = 0; k < y_.count[static_cast<std::size_t>(y)]; ++k) {
       if (shrunk_y != first + k) ShrinkRow(from, first + k, rows);
       shrunk_y = first + k;
-      for (std::size_t i = 0; i < length; ++i) rows->sum[i] += weight[k] * rows->shrunk[i];
+      AddWeighted(rows->shrunk.data(), weight[k], static_cast<int>(length), rows->sum.data());
     }
     std::uint8_t* out = to->ptr<std::uint8_t>(y);
     for (std::size_t i = 0; i < length; ++i) out[i] = cv::saturate_cast<std::uint8_t>(rows->sum[i]);

@@ -51,7 +51,7 @@ void CoarsePass::Run(const Options& options, const ImagePair& full, ThreadPool* 
   aggregator_.Run(costs, guide, aggregation, PathPrior(), 0, pool, &winners_);
   RefineSubpixel(winners_, Subpixel::kParabola, &disparity_, pool);
   confident_.Select(winners_.uncertainty, disparity_, winners_.right_winner, shape.min_disparity,
-                    options.prior.keep_quantile);
+                    options.prior.keep_quantile, pool);
 }
 
 RadiometricFit CoarsePass::FitRadiometry(CostKind kind) {

@@ -1,6 +1,7 @@
 #include "prior/confident_pixels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -14,14 +15,11 @@ constexpr int kLeftRightTolerance = 1;
 
 void CheckInputs(const cv::Mat& uncertainty, const cv::Mat& disparity,
                  const cv::Mat& right_winner) {
-  if (uncertainty.type() != CV_16UC1 && uncertainty.type() != CV_32FC1) {
-    throw std::invalid_argument("The uncertainty has OpenCV type " +
-                                std::to_string(uncertainty.type()) +
-                                "; expected one channel of CV_16U or CV_32F.");
-  }
-  if (disparity.type() != CV_32FC1 || right_winner.type() != CV_16UC1) {
+  if (uncertainty.type() != CV_16UC1 || disparity.type() != CV_32FC1 ||
+      right_winner.type() != CV_16UC1) {
     throw std::invalid_argument(
-        "Confident pixels need a CV_32F disparity and a CV_16U right winner; convert them first.");
+        "Confident pixels need a CV_16U uncertainty, a CV_32F disparity and a CV_16U right winner; "
+        "convert them first.");
   }
   if (uncertainty.size() != disparity.size() || right_winner.size() != disparity.size()) {
     throw std::invalid_argument(
@@ -38,36 +36,75 @@ bool MatchesRight(const float* disparity, const std::uint16_t* right, int x, int
   return std::abs(right[x_right] + min_disparity - d) <= kLeftRightTolerance;
 }
 
-}  // namespace
+// Counts of a byte of the values, from which the one of a rank follows.
+class ByteCounts {
+ public:
+  void Add(int byte) { ++counts_[static_cast<std::size_t>(byte)]; }
 
-void ConfidentPixels::Select(const cv::Mat& uncertainty, const cv::Mat& disparity,
-                             const cv::Mat& right_winner, int min_disparity, double keep_quantile) {
-  CheckInputs(uncertainty, disparity, right_winner);
-  mask_.create(disparity.size(), CV_8UC1);
-  if (mask_.empty()) return;
-  uncertainty.convertTo(uncertainty_, CV_32F);
-  const float limit = UncertaintyLimit(uncertainty_, keep_quantile);
-  for (int y = 0; y < disparity.rows; ++y) {
-    const float* u = uncertainty_.ptr<float>(y);
-    const float* d = disparity.ptr<float>(y);
-    const std::uint16_t* right = right_winner.ptr<std::uint16_t>(y);
-    std::uint8_t* mask = mask_.ptr<std::uint8_t>(y);
-    for (int x = 0; x < disparity.cols; ++x) {
-      const bool confident =
-          u[x] <= limit && MatchesRight(d, right, x, disparity.cols, min_disparity);
-      mask[x] = confident ? 255 : 0;
+  // The byte of the value that `*rank` smaller ones come before, and of those with the same byte
+  // *rank.
+  int Find(std::size_t* rank) const {
+    int byte = 0;
+    while (*rank >= counts_[static_cast<std::size_t>(byte)]) {
+      *rank -= counts_[static_cast<std::size_t>(byte++)];
     }
+    return byte;
+  }
+
+ private:
+  std::array<std::size_t, 256> counts_{};
+};
+
+template <class Body>
+void ForEachValue(const cv::Mat& image, const Body& body) {
+  for (int y = 0; y < image.rows; ++y) {
+    const std::uint16_t* row = image.ptr<std::uint16_t>(y);
+    for (int x = 0; x < image.cols; ++x) body(row[x]);
   }
 }
 
-float ConfidentPixels::UncertaintyLimit(const cv::Mat& uncertainty, double keep_quantile) {
-  const float* values = uncertainty.ptr<float>();
-  sorted_.assign(values, values + uncertainty.total());
-  const double rank = std::clamp(keep_quantile, 0.0, 1.0) * static_cast<double>(sorted_.size());
-  const std::size_t index = std::min(sorted_.size() - 1, static_cast<std::size_t>(rank));
-  const auto limit = sorted_.begin() + static_cast<std::ptrdiff_t>(index);
-  std::nth_element(sorted_.begin(), limit, sorted_.end());
-  return *limit;
+// The value that the share `keep_quantile` of all comes before.
+int UncertaintyLimit(const cv::Mat& uncertainty, double keep_quantile) {
+  const double share = std::clamp(keep_quantile, 0.0, 1.0);
+  const auto wanted = static_cast<std::size_t>(share * static_cast<double>(uncertainty.total()));
+  std::size_t rank = std::min(uncertainty.total() - 1, wanted);
+  ByteCounts high_counts;
+  ForEachValue(uncertainty, [&](int value) { high_counts.Add(value >> 8); });
+  const int high = high_counts.Find(&rank);
+  ByteCounts low_counts;
+  ForEachValue(uncertainty, [&](int value) {
+    if (value >> 8 == high) low_counts.Add(value & 0xFF);
+  });
+  return high << 8 | low_counts.Find(&rank);
+}
+
+}  // namespace
+
+void ConfidentPixels::Select(const cv::Mat& uncertainty, const cv::Mat& disparity,
+                             const cv::Mat& right_winner, int min_disparity, double keep_quantile,
+                             ThreadPool* threads) {
+  CheckInputs(uncertainty, disparity, right_winner);
+  mask_.create(disparity.size(), CV_8UC1);
+  if (mask_.empty()) return;
+  const int limit = UncertaintyLimit(uncertainty, keep_quantile);
+  const auto select_rows = [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      const std::uint16_t* u = uncertainty.ptr<std::uint16_t>(y);
+      const float* d = disparity.ptr<float>(y);
+      const std::uint16_t* right = right_winner.ptr<std::uint16_t>(y);
+      std::uint8_t* mask = mask_.ptr<std::uint8_t>(y);
+      for (int x = 0; x < disparity.cols; ++x) {
+        const bool confident =
+            u[x] <= limit && MatchesRight(d, right, x, disparity.cols, min_disparity);
+        mask[x] = confident ? 255 : 0;
+      }
+    }
+  };
+  if (threads != nullptr) {
+    threads->ForRanges(disparity.rows, select_rows);
+  } else {
+    select_rows(0, disparity.rows);
+  }
 }
 
 }  // namespace stereo_sgmp

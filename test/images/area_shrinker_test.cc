@@ -1,13 +1,14 @@
 #include "images/area_shrinker.h"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <opencv2/imgproc.hpp>
 
 namespace stereo_sgmp {
 namespace {
 
-TEST(AreaShrinkerTest, EqualsOpenCvOnAnyNumberOfThreads) {
+TEST(AreaShrinkerTest, EqualsOpenCvOnAnyNumberOfThreadsAndTarget) {
   ThreadPool one(1);
   ThreadPool three(3);
   AreaShrinker shrinker;
@@ -22,9 +23,14 @@ TEST(AreaShrinkerTest, EqualsOpenCvOnAnyNumberOfThreads) {
       cv::Mat expected;
       cv::resize(image, expected, to, 0, 0, cv::INTER_AREA);
       for (ThreadPool* pool : {&one, &three}) {
-        cv::Mat shrunk;
-        shrinker.Shrink(image, to, &shrunk, pool);
-        EXPECT_EQ(cv::norm(shrunk, expected, cv::NORM_INF), 0.0) << from << " to " << to;
+        for (const auto target : hwy::SupportedAndGeneratedTargets()) {
+          hwy::SetSupportedTargetsForTest(target);
+          cv::Mat shrunk;
+          shrinker.Shrink(image, to, &shrunk, pool);
+          hwy::SetSupportedTargetsForTest(0);
+          EXPECT_EQ(cv::norm(shrunk, expected, cv::NORM_INF), 0.0)
+              << from << " to " << to << " " << hwy::TargetName(target);
+        }
       }
     }
   }

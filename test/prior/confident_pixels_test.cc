@@ -1,9 +1,12 @@
 #include "prior/confident_pixels.h"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
-
-#include <gtest/gtest.h>
+#include <vector>
 
 namespace stereo_sgmp {
 namespace {
@@ -16,14 +19,33 @@ TEST(ConfidentPixels, KeepsTheQuantileOfLowUncertainty) {
   const cv::Mat disparity(10, 10, CV_32FC1, cv::Scalar(0));
   const cv::Mat right(10, 10, CV_16UC1, cv::Scalar(0));
   ConfidentPixels pixels;
-  pixels.Select(uncertainty, disparity, right, 0, 0.79);
+  pixels.Select(uncertainty, disparity, right, 0, 0.79, nullptr);
   EXPECT_EQ(cv::countNonZero(pixels.mask()), 80);
   EXPECT_EQ(cv::countNonZero(pixels.mask() & (uncertainty > 79)), 0);
-  cv::Mat as_float;
-  uncertainty.convertTo(as_float, CV_32F);
-  ConfidentPixels from_float;
-  from_float.Select(as_float, disparity, right, 0, 0.79);
-  EXPECT_EQ(cv::norm(pixels.mask(), from_float.mask(), cv::NORM_INF), 0.0);
+}
+
+TEST(ConfidentPixels, TakesTheValueOfTheRankAsTheLimit) {
+  ThreadPool threads(3);
+  cv::RNG random(5);
+  for (const int largest : {3, 700, 0x10000}) {
+    cv::Mat uncertainty(23, 31, CV_16UC1);
+    random.fill(uncertainty, cv::RNG::UNIFORM, 0, largest);
+    std::vector<std::uint16_t> sorted(uncertainty.begin<std::uint16_t>(),
+                                      uncertainty.end<std::uint16_t>());
+    std::sort(sorted.begin(), sorted.end());
+    const cv::Mat disparity(uncertainty.size(), CV_32FC1, cv::Scalar(0));
+    const cv::Mat right(uncertainty.size(), CV_16UC1, cv::Scalar(0));
+    for (const double quantile : {0.0, 0.3, 0.95, 1.0}) {
+      const double rank = quantile * static_cast<double>(sorted.size());
+      const auto limit = sorted[std::min(sorted.size() - 1, static_cast<std::size_t>(rank))];
+      for (ThreadPool* pool : {&threads, static_cast<ThreadPool*>(nullptr)}) {
+        ConfidentPixels pixels;
+        pixels.Select(uncertainty, disparity, right, 0, quantile, pool);
+        EXPECT_EQ(cv::norm(pixels.mask(), uncertainty <= limit, cv::NORM_INF), 0.0)
+            << largest << " " << quantile;
+      }
+    }
+  }
 }
 
 TEST(ConfidentPixels, ComparesWithTheRightWinner) {
@@ -32,7 +54,7 @@ TEST(ConfidentPixels, ComparesWithTheRightWinner) {
   // Indices count from min_disparity = -2: a winner of 1 is index 3.
   const cv::Mat right = (cv::Mat_<std::uint16_t>(1, 6) << 3, 3, 5, 0xFFFF, 3, 3);
   ConfidentPixels pixels;
-  pixels.Select(uncertainty, disparity, right, -2, 1.0);
+  pixels.Select(uncertainty, disparity, right, -2, 1.0, nullptr);
   // Outside; 0 against 1; 1 against 1; 1 against 3; 1 against none; 3 against 3.
   const cv::Mat expected = (cv::Mat_<std::uint8_t>(1, 6) << 0, 255, 255, 0, 0, 255);
   EXPECT_EQ(cv::norm(pixels.mask(), expected, cv::NORM_INF), 0.0) << pixels.mask();
@@ -42,9 +64,9 @@ TEST(ConfidentPixels, RefusesMapsThatDontFit) {
   ConfidentPixels pixels;
   const cv::Mat disparity(3, 3, CV_32FC1, cv::Scalar(0));
   const cv::Mat right(3, 3, CV_16UC1, cv::Scalar(0));
-  EXPECT_THROW(pixels.Select(cv::Mat(2, 3, CV_16UC1), disparity, right, 0, 0.9),
+  EXPECT_THROW(pixels.Select(cv::Mat(2, 3, CV_16UC1), disparity, right, 0, 0.9, nullptr),
                std::invalid_argument);
-  EXPECT_THROW(pixels.Select(cv::Mat(3, 3, CV_8UC1), disparity, right, 0, 0.9),
+  EXPECT_THROW(pixels.Select(cv::Mat(3, 3, CV_8UC1), disparity, right, 0, 0.9, nullptr),
                std::invalid_argument);
 }
 
