@@ -31,11 +31,17 @@ struct PixelShape {
       kVectors != kAnyVectors ? kVectors : (kMaxDisparities + kLanes<T> - 1) / kLanes<T>;
 
   int vectors = 0;
-  Lanes<T> tail;  // of the last vector: all bits of the lanes beyond the last disparity
+  int all_vectors = 0;  // with those of disparities that the pixel does not reach
+  Lanes<T> tail;        // of the last vector: all bits of the lanes beyond the last disparity
 
-  explicit PixelShape(int disparities)
-      : vectors((disparities + kLanes<T> - 1) / kLanes<T>),
+  PixelShape(int disparities, int all_disparities)
+      : vectors(VectorsOf(disparities)),
+        all_vectors(VectorsOf(all_disparities)),
         tail(TailBits<T>(disparities - (vectors - 1) * kLanes<T>)) {}
+
+  static constexpr int VectorsOf(int disparities) {
+    return (disparities + kLanes<T> - 1) / kLanes<T>;
+  }
 
   int Count() const { return kVectors != kAnyVectors ? kVectors : vectors; }
 };
@@ -117,6 +123,18 @@ HWY_INLINE int AdvancePaths(const PixelShape<T, kVectors>& shape,
     for (int v = 0; v < shape.Count(); ++v) sums[v] = AddExcess<T>(sums[v], one[v], other[v]);
   }
   return minimum_sum;
+}
+
+// Completes the messages by the disparities that the pixel does not reach: its neighbour may.
+template <class T, int kPaths, int kVectors>
+HWY_INLINE void SendUnreached(const PixelShape<T, kVectors>& shape,
+                              const PathStepState<T> (&paths)[kPaths]) {
+  const Tag<T> d;
+  for (const PathStepState<T>& path : paths) {
+    for (int v = shape.Count(); v < shape.all_vectors; ++v) {
+      hn::Store(hn::Set(d, PathSlot<T>::kUnreachable), d, path.sent + v * kLanes<T>);
+    }
+  }
 }
 
 }  // namespace HWY_NAMESPACE

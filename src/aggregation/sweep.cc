@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "cost/match_span.h"
+
 namespace stereo_sgmp {
 
 template <class T>
@@ -123,8 +125,19 @@ StateLine<T> Sweep<T>::Current(const RowPlace& place, const Workspace& workspace
   return boundaries_[static_cast<std::size_t>(place.group % 2)].line();
 }
 
+// In parts whose pixels reach the same disparities.
 template <class T>
 void Sweep<T>::RunStretch(const RowPlace& place, int u_begin, int u_end, Workspace* workspace) {
+  while (u_begin < u_end) {
+    const MatchSpan columns = ColumnsOfSameReach(shape_, ImageColumn(u_begin, u_begin + 1));
+    const int u_next = std::min(u_end, job_.backward ? shape_.width - columns.begin : columns.end);
+    RunPart(place, u_begin, u_next, workspace);
+    u_begin = u_next;
+  }
+}
+
+template <class T>
+void Sweep<T>::RunPart(const RowPlace& place, int u_begin, int u_end, Workspace* workspace) {
   const int y = ImageRow(place.v);
   const int x_begin = ImageColumn(u_begin, u_end);
   const int x_end = x_begin + u_end - u_begin;
@@ -136,7 +149,8 @@ void Sweep<T>::RunStretch(const RowPlace& place, int u_begin, int u_end, Workspa
   s.u_begin = u_begin;
   s.u_end = u_end;
   s.width = shape_.width;
-  s.disparities = shape_.disparities;
+  s.all_disparities = shape_.disparities;
+  s.disparities = ReachedDisparities(shape_, x_begin);
   s.stride = stride;
   s.x_step = job_.backward ? -1 : 1;
   s.x_first = job_.backward ? x_end - 1 : x_begin;

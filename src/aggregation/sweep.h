@@ -96,6 +96,7 @@ class Sweep {
   void RunGroup(int group, Workspace* workspace);
   void StartRow(int row, int y, Workspace* workspace) const;
   void RunStretch(const RowPlace& place, int u_begin, int u_end, Workspace* workspace);
+  void RunPart(const RowPlace& place, int u_begin, int u_end, Workspace* workspace);
   StateLine<T> Above(const RowPlace& place, const Workspace& workspace) const;
   StateLine<T> Current(const RowPlace& place, const Workspace& workspace) const;
   int ImageColumn(int u_begin, int u_end) const {

@@ -29,6 +29,7 @@ HWY_INLINE void ForEachPixel(const SweepStretch<T>& s, const PixelShape<T, kVect
     Lanes<T> sums[PixelShape<T, kVectors>::kMost];
     const int minimum_sum =
         AdvancePaths<T, kPaths, kVectors>(shape, paths, s.cost + offset * s.stride, s.p1, sums);
+    if (HWY_UNLIKELY(shape.Count() < shape.all_vectors)) SendUnreached(shape, paths);
     cursor.Advance();
     finish(offset, sums, minimum_sum);
   }
@@ -44,7 +45,7 @@ HWY_INLINE T* SumOf(const SweepStretch<T>& s, std::ptrdiff_t offset) {
 
 template <class T, int kPaths, int kVectors>
 void First(const SweepStretch<T>& s) {
-  const PixelShape<T, kVectors> shape(s.disparities);
+  const PixelShape<T, kVectors> shape(s.disparities, s.all_disparities);
   ForEachPixel<T, kPaths, kVectors>(
       s, shape,
       [&](std::ptrdiff_t offset, const Lanes<T>* sums, int minimum_sum) STEREO_SGMP_INLINE_ATTR {
@@ -56,7 +57,7 @@ void First(const SweepStretch<T>& s) {
 
 template <class T, int kPaths>
 void States(const SweepStretch<T>& s) {
-  const PixelShape<T, kAnyVectors> shape(s.disparities);
+  const PixelShape<T, kAnyVectors> shape(s.disparities, s.all_disparities);
   ForEachPixel<T, kPaths, kAnyVectors>(
       s, shape, [](std::ptrdiff_t, const Lanes<T>*, int) STEREO_SGMP_INLINE_ATTR {});
 }
@@ -100,7 +101,7 @@ HWY_INLINE void PrefetchSum(const SweepStretch<T>& s, std::ptrdiff_t offset) {
 // First completes S of all pixels: those steps wait for each other, the reading does not.
 template <class T, int kPaths, int kVectors>
 void Last(const SweepStretch<T>& s) {
-  const PixelShape<T, kVectors> shape(s.disparities);
+  const PixelShape<T, kVectors> shape(s.disparities, s.all_disparities);
   SumBase bases[SweepStretch<T>::kMaxPixels];
   int completed = 0;
   ForEachPixel<T, kPaths, kVectors>(
@@ -172,7 +173,7 @@ HWY_INLINE void StoreSharpened(Lanes16 raised, int limit, const std::uint8_t* co
 
 template <class T, int kPaths, int kVectors>
 void Sharpen(const SweepStretch<T>& s) {
-  const PixelShape<T, kVectors> shape(s.disparities);
+  const PixelShape<T, kVectors> shape(s.disparities, s.all_disparities);
   const PixelExcess<T> excess{s.excess, shape.Count()};
   ForEachPixel<T, kPaths, kVectors>(
       s, shape, [&](std::ptrdiff_t offset, const Lanes<T>* sums, int) STEREO_SGMP_INLINE_ATTR {
@@ -206,7 +207,7 @@ void SweepVectors(const SweepStretch<T>& s) {
 // Unrolls the loops over the vectors of a pixel: those of 8 bit messages for usual ranges.
 template <class T, int kPaths>
 void SweepOf(const SweepStretch<T>& s) {
-  const int vectors = sizeof(T) == 1 ? PixelShape<T, kAnyVectors>(s.disparities).vectors : 0;
+  const int vectors = sizeof(T) == 1 ? PixelShape<T, kAnyVectors>::VectorsOf(s.disparities) : 0;
   switch (vectors) {
     case 1:
       return SweepVectors<T, kPaths, 1>(s);

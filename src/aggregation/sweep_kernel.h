@@ -57,8 +57,9 @@ struct SweepStretch {
   int u_begin = 0;
   int u_end = 0;
   int width = 0;
-  int disparities = 0;
-  std::ptrdiff_t stride = 0;  // disparities padded, of `cost`, `sum` and `sharpened`
+  int all_disparities = 0;
+  int disparities = 0;        // those that its pixels reach (ReachedDisparities)
+  std::ptrdiff_t stride = 0;  // all_disparities padded, of `cost`, `sum` and `sharpened`
   int x_step = 1;
   int x_first = 0;  // image x of u_begin
 

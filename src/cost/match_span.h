@@ -11,7 +11,7 @@
 
 namespace stereo_sgmp {
 
-// Disparity indices [begin, end) whose match lies inside the right image.
+// A range [begin, end) of disparity indices or columns.
 struct MatchSpan {
   int begin = 0;
   int end = 0;
@@ -24,9 +24,27 @@ inline MatchSpan ClippedSpan(int first, int last, int count) {
   return span.begin < span.end ? span : MatchSpan{};
 }
 
+// Disparity indices whose match lies inside the right image.
 inline MatchSpan InsideSpan(const VolumeShape& shape, int x) {
   const int last = x - shape.min_disparity;  // the index that matches column 0
   return ClippedSpan(last - (shape.width - 1), last, shape.disparities);
+}
+
+// Disparity indices that pixel x is matched at: up to the last whose match lies inside, in whole
+// blocks of VolumeShape::kPadding. Those beyond have no path costs.
+inline int ReachedDisparities(const VolumeShape& shape, int x) {
+  constexpr int kBlock = VolumeShape::kPadding;
+  const int inside = std::max(x - shape.min_disparity + 1, 1);
+  return std::min((inside + kBlock - 1) / kBlock * kBlock, shape.disparities);
+}
+
+// Columns [begin, end) around x whose pixels reach as many.
+inline MatchSpan ColumnsOfSameReach(const VolumeShape& shape, int x) {
+  constexpr int kBlock = VolumeShape::kPadding;
+  const int reached = ReachedDisparities(shape, x);
+  const int begin = reached <= kBlock ? 0 : (reached - 1) / kBlock * kBlock + shape.min_disparity;
+  const int end = reached == shape.disparities ? shape.width : reached + shape.min_disparity;
+  return {std::max(begin, 0), std::min(end, shape.width)};
 }
 
 // Column of the mirrored right image (column c holds x = width - 1 - c) that disparity index 0 of

@@ -10,6 +10,9 @@ namespace {
 
 using Costs = std::vector<int>;  // of one pixel, by disparity index
 
+// Path cost of disparities that a pixel does not reach.
+constexpr int kUnreached = 1 << 20;
+
 // Sums in bytes stay at it where they would exceed it.
 constexpr int kMostInBytes = 255;
 
@@ -22,6 +25,14 @@ int ContrastOf(const cv::Mat& guide, int x1, int y1, int x2, int y2) {
     contrast = std::max(contrast, std::abs(a - b));
   }
   return contrast;
+}
+
+// Disparities that pixel x is matched at: in blocks of 64, up to that of the last one whose match
+// lies inside the right image.
+int Reached(const VolumeShape& shape, int x) {
+  int reached = 64;
+  while (x - shape.min_disparity - reached >= 0) reached += 64;
+  return std::min(reached, shape.disparities);
 }
 
 // V(d, d'), Eq. 2.
@@ -147,7 +158,8 @@ class Aggregation {
         InUnits(options_.p1 * (1.0 + options_.alpha * std::exp(-contrast / options_.beta)));
     const int minimum = *std::min_element(predecessor->begin(), predecessor->end());
     Costs best(disparities, minimum + p2);
-    for (int t = 0; t < volume_.shape.disparities; ++t) {
+    // A step alone ends at a disparity that p reaches.
+    for (int t = 0; t < Reached(volume_.shape, x - step.dx); ++t) {
       const int stepped = AfterStep(*predecessor, t, p2);
       const int j = jump_ ? jump_(x, y, step, t) : 0;
       if (t + j >= 0 && t + j < volume_.shape.disparities) Lower(stepped, t + j, &best);
@@ -170,9 +182,11 @@ class Aggregation {
   }
 
   Costs AddCosts(int x, int y, Costs best, int minimum) const {
-    for (int d = 0; d < volume_.shape.disparities; ++d) {
+    const int reached = Reached(volume_.shape, x);
+    for (int d = 0; d < reached; ++d) {
       best[static_cast<std::size_t>(d)] += volume_.At(x, y, d) - minimum;
     }
+    std::fill(best.begin() + reached, best.end(), kUnreached);
     return best;
   }
 
@@ -221,11 +235,13 @@ void FindWinners(const Volume& volume, const Sums& sums, WinnerMap* map) {
   for (int y = 0; y < shape.height; ++y) {
     for (int x = 0; x < shape.width; ++x) {
       const auto pixel = static_cast<std::size_t>(y * shape.width + x);
+      const int reached = Reached(shape, x);
       Costs s = sums.excess[pixel];
+      s.resize(static_cast<std::size_t>(reached));
       for (int& sum : s) sum += sums.Base(pixel);
       const int winner = static_cast<int>(std::min_element(s.begin(), s.end()) - s.begin());
       int second = -1;
-      for (int d = 0; d < shape.disparities; ++d) {
+      for (int d = 0; d < reached; ++d) {
         const bool is_near = std::abs(d - winner) <= 1;
         if (!is_near &&
             (second < 0 || s[static_cast<std::size_t>(d)] < s[static_cast<std::size_t>(second)]))
