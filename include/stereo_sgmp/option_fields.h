@@ -47,8 +47,10 @@ struct EnumNames<JumpPolicy> {
 };
 template <>
 struct EnumNames<PathScheme> {
-  static constexpr std::array<std::pair<PathScheme, const char*>, 2> kValues{
-      {{PathScheme::kEight, "eight"}, {PathScheme::kFourTwice, "four_twice"}}};
+  static constexpr std::array<std::pair<PathScheme, const char*>, 3> kValues{
+      {{PathScheme::kFour, "four"},
+       {PathScheme::kEight, "eight"},
+       {PathScheme::kFourTwice, "four_twice"}}};
 };
 template <>
 struct EnumNames<PathCosts> {
@@ -134,8 +136,9 @@ void VisitOptions(OptionsT& o, Visitor&& visit) {
         o.cost.vertical_tolerance);
 
   visit(OptionField{"aggregation/scheme", "",
-                    "How eight path evaluations are spent: eight directions, or four_twice (four "
-                    "axis directions, repeated on costs sharpened by the first result)."},
+                    "Path evaluations of a pixel: four (the axis directions), eight directions, or "
+                    "four_twice (the axis directions, repeated on costs sharpened by the first "
+                    "result)."},
         o.aggregation.scheme);
   visit(OptionField{"aggregation/path_costs", "",
                     "compact: costs in about 36 steps and path costs of 8 bits, where the "

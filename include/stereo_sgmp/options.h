@@ -38,8 +38,9 @@ enum class JumpPolicy {
   kSameSurface,  // j of the surface at p, evaluated at p and at p'
 };
 
-// How the eight path evaluations of a pixel are spent.
+// Which path evaluations a pixel gets.
 enum class PathScheme {
+  kFour,       // four axis directions, once: the least time
   kEight,      // eight directions, once
   kFourTwice,  // four axis directions twice, the second time on costs sharpened by the first S
 };

@@ -139,11 +139,11 @@ class Aggregator::Impl {
     job.prior = prior.first_round;
     job.minimum_sum = minimum_sum_.data();
     job.winners = winners;
-    if (options.scheme == PathScheme::kEight) {
+    if (options.scheme != PathScheme::kEight) job.paths = 2;
+    if (options.scheme != PathScheme::kFourTwice) {
       rounds->Run(job, SweepKind::kLast, strips, pool);
       return;
     }
-    job.paths = 2;
     sharpened_.Resize(shape.PaddedSize());
     job.sharpened = sharpened_.data();
     rounds->Run(job, SweepKind::kSharpen, strips, pool);

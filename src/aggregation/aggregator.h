@@ -16,7 +16,7 @@ namespace stereo_sgmp {
 
 // The prior that paths follow, if any.
 struct PathPrior {
-  const OrientationPrior* first_round = nullptr;  // the only round of PathScheme::kEight
+  const OrientationPrior* first_round = nullptr;  // the only round of schemes with one
   const OrientationPrior* last_round = nullptr;   // of PathScheme::kFourTwice
   int jump_slack = -1;                            // see PriorOptions
 };

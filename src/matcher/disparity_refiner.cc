@@ -84,8 +84,8 @@ void DisparityRefiner::ReadWinners(const WinnerMap& winners, const Options& opti
     RefineSubpixelRows(winners, options.refinement.subpixel, begin, end, &result->raw);
     UncertaintyImage(winners, begin, end, &result->uncertainty);
     LeftRightDifferences(winners, begin, end, &left_right_);
-    ComputeConfidence(winners, left_right_, options.filter.confidence, options.aggregation.p1,
-                      begin, end, &result->confidence);
+    ComputeConfidence(winners, left_right_, options.filter.confidence, options.aggregation, begin,
+                      end, &result->confidence);
     FindAgreeing(options.filter.lr_tolerance, begin, end);
     cv::Mat rows = disparity->rowRange(begin, end);
     result->raw.rowRange(begin, end).copyTo(rows);

@@ -21,12 +21,13 @@ double ScaledCenter(double center, double scale) { return (center + 0.5) * scale
 }  // namespace
 
 const std::vector<LoadLevel>& LoadLevels() {
-  static const std::vector<LoadLevel> levels{{"nothing", 1.0, true, 1.0},
-                                             {"slow refinement", 1.0, false, 1.2},
-                                             {"resolution: 3/4", 0.75, false, 1.8},
-                                             {"resolution: 1/2", 0.5, false, 2.5},
-                                             {"resolution: 1/3", 1.0 / 3.0, false, 2.5},
-                                             {"resolution: 1/4", 0.25, false, 1.8}};
+  static const std::vector<LoadLevel> levels{{"nothing", 1.0, true, true, 1.0},
+                                             {"slow refinement", 1.0, false, true, 1.2},
+                                             {"half of the paths", 1.0, false, false, 1.15},
+                                             {"resolution: 3/4", 0.75, false, false, 1.15},
+                                             {"resolution: 1/2", 0.5, false, false, 1.7},
+                                             {"resolution: 1/3", 1.0 / 3.0, false, false, 1.4},
+                                             {"resolution: 1/4", 0.25, false, false, 1.3}};
   return levels;
 }
 
@@ -47,6 +48,7 @@ Options OptionsAtLevel(const Options& options, cv::Size size, const LoadLevel& l
     refinement.plane_smoothing = false;
     refinement.superpixel_planes = false;
   }
+  if (!level.all_paths) lowered.aggregation.scheme = PathScheme::kFour;
   const Scale scale(size, level);
   const int last = options.min_disparity + options.num_disparities - 1;
   lowered.min_disparity = static_cast<int>(std::floor(options.min_disparity * scale.x));

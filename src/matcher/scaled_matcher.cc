@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <vector>
 
 #include <opencv2/imgproc.hpp>
 
@@ -15,6 +17,7 @@ constexpr float kSurfaceStep = 1.0f;
 
 // Where a pixel of the large image lies among those of the small one.
 struct Position {
+  Position() = default;
   Position(int index, double scale, int length) {
     const double exact = std::clamp((index + 0.5) * scale - 0.5, 0.0, length - 1.0);
     first = std::min(static_cast<int>(exact), std::max(length - 2, 0));
@@ -24,17 +27,24 @@ struct Position {
 
   int nearest() const { return share < 0.5f ? first : second; }
 
-  int first;
-  int second;
-  float share;  // of the second
+  int first = 0;
+  int second = 0;
+  float share = 0.0f;  // of the second
 };
+
+std::vector<Position> Positions(int small, int large) {
+  std::vector<Position> positions(static_cast<std::size_t>(large));
+  const double scale = static_cast<double>(small) / large;
+  for (int i = 0; i < large; ++i) positions[static_cast<std::size_t>(i)] = {i, scale, small};
+  return positions;
+}
 
 // Enlarges disparities and multiplies them: linearly within surfaces, without mixing two.
 void EnlargeDisparities(const cv::Mat& small, cv::Size size, cv::Mat* large) {
   large->create(size, CV_32F);
-  const double scale_x = static_cast<double>(small.cols) / size.width;
+  const std::vector<Position> columns = Positions(small.cols, size.width);
   const double scale_y = static_cast<double>(small.rows) / size.height;
-  const float factor = static_cast<float>(1.0 / scale_x);
+  const float factor = static_cast<float>(static_cast<double>(size.width) / small.cols);
   for (int y = 0; y < size.height; ++y) {
     const Position v(y, scale_y, small.rows);
     const float* upper = small.ptr<float>(v.first);
@@ -42,7 +52,7 @@ void EnlargeDisparities(const cv::Mat& small, cv::Size size, cv::Mat* large) {
     const float* nearest = small.ptr<float>(v.nearest());
     float* out = large->ptr<float>(y);
     for (int x = 0; x < size.width; ++x) {
-      const Position u(x, scale_x, small.cols);
+      const Position& u = columns[static_cast<std::size_t>(x)];
       const auto [low, high] =
           std::minmax({upper[u.first], upper[u.second], lower[u.first], lower[u.second]});
       const float top = upper[u.first] + u.share * (upper[u.second] - upper[u.first]);

@@ -7,7 +7,8 @@
 namespace stereo_sgmp {
 namespace {
 
-constexpr int kPaths = 8;  // U_p is a sum over eight paths, each worth some P1
+// What S and with it U_p is the sum of, each worth some P1.
+int PathEvaluations(PathScheme scheme) { return scheme == PathScheme::kFour ? 4 : 8; }
 
 void UncertaintyRow(const WinnerMap& map, int y, float scale, float* row) {
   const std::uint16_t* uncertainty = map.uncertainty[y];
@@ -19,12 +20,15 @@ void UncertaintyRow(const WinnerMap& map, int y, float scale, float* row) {
 }  // namespace
 
 void ComputeConfidence(const WinnerMap& map, const cv::Mat& left_right, ConfidenceMeasure measure,
-                       int p1, int begin, int end, cv::Mat* confidence) {
-  const float scale = static_cast<float>(kPaths * p1);
+                       const AggregationOptions& aggregation, int begin, int end,
+                       cv::Mat* confidence) {
+  const int paths = PathEvaluations(aggregation.scheme);
+  const float scale = static_cast<float>(paths * aggregation.p1);
+  const float weight = 8.0f / static_cast<float>(paths);
   for (int y = begin; y < end; ++y) {
     float* row = confidence->ptr<float>(y);
     if (measure == ConfidenceMeasure::kPeakDifference) {
-      PeakDifferenceRow(map, left_right.ptr<std::uint16_t>(y), y, row);
+      PeakDifferenceRow(map, left_right.ptr<std::uint16_t>(y), y, weight, row);
     } else {
       UncertaintyRow(map, y, scale, row);
     }

@@ -12,13 +12,15 @@ namespace stereo_sgmp {
 //
 // kPeakDifference: the distance of the second best cost to the best (0 where there is no second),
 // averaged over the 5x5 pixels around, less 100 for each index by which the left and the right
-// winner differ, up to 10. Mapped to 0..1 by a strictly rising function that comes close to the
-// share of pixels that are right within one pixel.
-// kUncertainty: 1 / (1 + U_p / (8 P1)), 1 where all paths agree.
+// winner differ, up to 10. The costs of PathScheme::kFour count twice, as if of eight paths. Mapped
+// to 0..1 by a strictly rising function that comes close to the share of pixels that are right
+// within one pixel.
+// kUncertainty: 1 / (1 + U_p / (N P1)) for N path evaluations, 1 where all paths agree.
 // `left_right` is what LeftRightDifferences makes. Of the rows [begin, end) alone; `confidence` has
 // its size.
 void ComputeConfidence(const WinnerMap& map, const cv::Mat& left_right, ConfidenceMeasure measure,
-                       int p1, int begin, int end, cv::Mat* confidence);
+                       const AggregationOptions& aggregation, int begin, int end,
+                       cv::Mat* confidence);
 
 // U_p of the paper as CV_32F, of the rows [begin, end) alone; `uncertainty` has its size.
 void UncertaintyImage(const WinnerMap& map, int begin, int end, cv::Mat* uncertainty);

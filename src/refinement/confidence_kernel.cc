@@ -95,20 +95,21 @@ HWY_INLINE V ToUnitInterval(V t) {
 
 // sums: of the columns x - 2 to x + lanes + 1, of which the window of each pixel has `counts`
 // pixels.
-HWY_INLINE V Confidence(const float* sums, V counts, hn::Vec<Shorts> left_right) {
+HWY_INLINE V Confidence(const float* sums, V counts, float weight, hn::Vec<Shorts> left_right) {
   const Floats d;
   V sum = hn::LoadU(d, sums);
   for (int k = 1; k <= 2 * confidence::kRadius; ++k) sum = hn::Add(sum, hn::LoadU(d, sums + k));
   const auto apart = hn::Min(left_right, hn::Set(Shorts(), confidence::kMaxLeftRight));
   const V penalty = hn::Mul(hn::Set(d, confidence::kLeftRightWeight), ToFloats(apart));
-  const V measure = hn::Sub(hn::Div(sum, counts), penalty);
+  const V weighted = hn::Mul(hn::Set(d, weight), hn::Div(sum, counts));
+  const V measure = hn::Sub(weighted, penalty);
   return ToUnitInterval(hn::Div(hn::Sub(measure, hn::Set(d, confidence::kEvenMeasure)),
                                 hn::Set(d, confidence::kMeasureScale)));
 }
 
 // Of the columns [x, x + count) of row y; `left_right` and `out` are those of x.
 void ConfidenceOfChunk(const WinnerMap& map, const std::uint16_t* left_right, int y, int x,
-                       int count, float* out) {
+                       int count, float weight, float* out) {
   const Floats d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   // Whole vectors are read at the end.
@@ -126,20 +127,22 @@ void ConfidenceOfChunk(const WinnerMap& map, const std::uint16_t* left_right, in
   int i = 0;
   for (; i + lanes <= count; i += lanes) {
     const auto differences = hn::LoadU(Shorts(), left_right + i);
-    hn::StoreU(Confidence(sums + i, hn::Load(d, counts + i), differences), d, out + i);
+    hn::StoreU(Confidence(sums + i, hn::Load(d, counts + i), weight, differences), d, out + i);
   }
   if (i == count) return;
   const int rest = count - i;  // less than a vector
   for (int k = 0; k < rest; ++k) apart[k] = left_right[i + k];
-  hn::Store(Confidence(sums + i, hn::Load(d, counts + i), hn::Load(Shorts(), apart)), d, results);
+  const auto differences = hn::Load(Shorts(), apart);
+  hn::Store(Confidence(sums + i, hn::Load(d, counts + i), weight, differences), d, results);
   for (int k = 0; k < rest; ++k) out[i + k] = results[k];
 }
 
-void ConfidenceOfRow(const WinnerMap& map, const std::uint16_t* left_right, int y, float* row) {
+void ConfidenceOfRow(const WinnerMap& map, const std::uint16_t* left_right, int y, float weight,
+                     float* row) {
   const int width = map.winner.cols;
   for (int x = 0; x < width; x += confidence::kChunk) {
     const int count = std::min(confidence::kChunk, width - x);
-    ConfidenceOfChunk(map, left_right + x, y, x, count, row + x);
+    ConfidenceOfChunk(map, left_right + x, y, x, count, weight, row + x);
   }
 }
 
@@ -152,8 +155,9 @@ namespace stereo_sgmp {
 
 HWY_EXPORT(ConfidenceOfRow);
 
-void PeakDifferenceRow(const WinnerMap& map, const std::uint16_t* left_right, int y, float* row) {
-  HWY_DYNAMIC_DISPATCH(ConfidenceOfRow)(map, left_right, y, row);
+void PeakDifferenceRow(const WinnerMap& map, const std::uint16_t* left_right, int y, float weight,
+                       float* row) {
+  HWY_DYNAMIC_DISPATCH(ConfidenceOfRow)(map, left_right, y, weight, row);
 }
 
 }  // namespace stereo_sgmp

@@ -8,8 +8,10 @@
 
 namespace stereo_sgmp {
 
-// ConfidenceMeasure::kPeakDifference of row y; `left_right` is that row of LeftRightDifferences.
-void PeakDifferenceRow(const WinnerMap& map, const std::uint16_t* left_right, int y, float* row);
+// ConfidenceMeasure::kPeakDifference of row y, with costs that count `weight` times; `left_right`
+// is that row of LeftRightDifferences.
+void PeakDifferenceRow(const WinnerMap& map, const std::uint16_t* left_right, int y, float weight,
+                       float* row);
 
 }  // namespace stereo_sgmp
 

@@ -44,8 +44,9 @@ void VisitStreamOptions(StreamOptionsT& o, Visitor&& visit) {
                     0, 100000},
         o.max_depth);
   visit(OptionField{"target_rate", "Hz",
-                    "Frames a second to keep up with: when frames take longer, refinement and "
-                    "then resolution are lowered, and raised again when there is time; 0 is off.",
+                    "Frames a second to keep up with: when frames take longer, refinement, "
+                    "paths and then resolution are lowered, and raised again when there is time; "
+                    "0 is off.",
                     0, 1000},
         o.target_rate);
   visit(OptionField{"cloud/compact", "",

@@ -203,12 +203,14 @@ TEST_F(AggregatorTest, EqualsTheFormulasWithA3dPrior) {
   }
 }
 
-TEST_F(AggregatorTest, EqualsTheFormulasWithFourPathsTwice) {
-  options_.scheme = PathScheme::kFourTwice;
-  for (const int unit : {1, kBytes}) {
-    unit_ = unit;
-    ExpectReference(nullptr, -1);
-    ExpectReference(kSeveralJumps, 15);
+TEST_F(AggregatorTest, EqualsTheFormulasWithFourPathsOnceAndTwice) {
+  for (const PathScheme scheme : {PathScheme::kFour, PathScheme::kFourTwice}) {
+    options_.scheme = scheme;
+    for (const int unit : {1, kBytes}) {
+      unit_ = unit;
+      ExpectReference(nullptr, -1);
+      ExpectReference(kSeveralJumps, 15);
+    }
   }
 }
 
@@ -230,10 +232,11 @@ TEST_F(AggregatorTest, EverySimdTargetGivesTheSameBits) {
     hwy::SetSupportedTargetsForTest(target);
     for (const int unit : {1, kBytes}) {
       unit_ = unit;
-      ExpectReference(kSeveralJumps, 15);
-      options_.scheme = PathScheme::kFourTwice;
-      ExpectReference(kSeveralJumps, 15);
-      options_.scheme = PathScheme::kEight;
+      for (const PathScheme scheme :
+           {PathScheme::kFour, PathScheme::kEight, PathScheme::kFourTwice}) {
+        options_.scheme = scheme;
+        ExpectReference(kSeveralJumps, 15);
+      }
     }
   }
   hwy::SetSupportedTargetsForTest(0);

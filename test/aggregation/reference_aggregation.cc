@@ -276,9 +276,10 @@ WinnerMap Aggregate(const Volume& volume, const cv::Mat& guide, const Aggregatio
   const std::vector<Sweep> all{{{1, 0}, {0, 1}, {1, 1}, {-1, 1}},
                                {{-1, 0}, {0, -1}, {-1, -1}, {1, -1}}};
   WinnerMap map;
-  if (options.scheme == PathScheme::kEight) {
+  if (options.scheme != PathScheme::kFourTwice) {
+    const bool eight = options.scheme == PathScheme::kEight;
     const Aggregation aggregation(volume, guide, options, jump, jump_slack);
-    FindWinners(volume, aggregation.Sum(all), &map);
+    FindWinners(volume, aggregation.Sum(eight ? all : axes), &map);
     return map;
   }
   const Aggregation first(volume, guide, options, jump, jump_slack);

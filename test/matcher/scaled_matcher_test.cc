@@ -61,7 +61,7 @@ TEST(ScaledMatcherTest, EachLevelGivesMapsOfTheWholeImageThatAreRight) {
     }
     const Score score = ScoreOf(result);
     EXPECT_GT(score.valid, 0.8);
-    EXPECT_GT(score.right / score.valid, level < 4 ? 0.9 : 0.8);
+    EXPECT_GT(score.right / score.valid, level < 5 ? 0.9 : 0.8);
     const MatchStatistics& statistics = result.statistics;
     EXPECT_EQ(std::accumulate(std::begin(statistics.reasons), std::end(statistics.reasons), 0),
               321 * 243);
@@ -73,7 +73,7 @@ TEST(ScaledMatcherTest, EachLevelGivesMapsOfTheWholeImageThatAreRight) {
 TEST(ScaledMatcherTest, PlanesAreThoseOfTheWholeImage) {
   for (const unsigned seed : {1U, 2U, 3U}) {
     const GeneratedScene scene = MakeScene(SceneKind::kSlantedPlane, {321, 243}, 48, {}, seed);
-    for (const std::size_t level : {std::size_t{0}, std::size_t{3}}) {
+    for (const std::size_t level : {std::size_t{0}, std::size_t{4}}) {
       SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << LoadLevels()[level].name);
       const MatchResult result = MatchAt(level, scene);
       ASSERT_FALSE(result.priors.planes.empty());
@@ -104,7 +104,9 @@ TEST(LoadLevelsTest, SearchTheSameDepthsWithLessWork) {
     EXPECT_GE(small.DepthOf(lowered.min_disparity), camera.DepthOf(-7) * (1.0 - 1e-9));
     EXPECT_LE(small.DepthOf(last), camera.DepthOf(82) * (1.0 + 1e-9));
     const double level_work = 1.0 * SizeAtLevel(size, level).area() * lowered.num_disparities -
-                              (level.thorough ? 0.0 : 1.0);
+                              (level.thorough ? 0.0 : 1.0) - (level.all_paths ? 0.0 : 1.0);
+    EXPECT_EQ(lowered.aggregation.scheme,
+              level.all_paths ? options.aggregation.scheme : PathScheme::kFour);
     EXPECT_LT(level_work, work);
     work = level_work;
   }

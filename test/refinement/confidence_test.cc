@@ -15,14 +15,23 @@ namespace {
 
 constexpr int kP1 = 100;
 
-cv::Mat ConfidenceOf(const WinnerMap& map, ConfidenceMeasure measure) {
+AggregationOptions OptionsOf(PathScheme scheme) {
+  AggregationOptions aggregation;
+  aggregation.scheme = scheme;
+  aggregation.p1 = kP1;
+  return aggregation;
+}
+
+cv::Mat ConfidenceOf(const WinnerMap& map, ConfidenceMeasure measure,
+                     PathScheme scheme = PathScheme::kEight) {
   const int rows = map.shape.height;
   cv::Mat left_right(map.winner.size(), CV_16U);
   LeftRightDifferences(map, 0, rows, &left_right);
   cv::Mat confidence(map.winner.size(), CV_32F);
   const int middle = rows / 2;
-  ComputeConfidence(map, left_right, measure, kP1, middle, rows, &confidence);
-  ComputeConfidence(map, left_right, measure, kP1, 0, middle, &confidence);
+  const AggregationOptions aggregation = OptionsOf(scheme);
+  ComputeConfidence(map, left_right, measure, aggregation, middle, rows, &confidence);
+  ComputeConfidence(map, left_right, measure, aggregation, 0, middle, &confidence);
   return confidence;
 }
 
@@ -119,6 +128,31 @@ TEST(ConfidenceTest, UncertaintyIsMeasuredInPenaltiesOfEightPaths) {
   EXPECT_EQ(confidence.at<float>(0, 2), 0.25f);
 }
 
+TEST(ConfidenceTest, FourPathsAreWorthAsMuchAsEight) {
+  WinnerMap four = RandomWinnerMap({31, 13, 10, 0}, 3);
+  const auto halve = [](std::uint16_t cost) { return static_cast<std::uint16_t>(cost / 2); };
+  for (int y = 0; y < four.shape.height; ++y) {
+    for (int x = 0; x < four.shape.width; ++x) {
+      four.cost(y, x) = halve(four.cost(y, x));
+      if (four.second(y, x) != WinnerMap::kNone) four.second(y, x) = halve(four.second(y, x));
+      four.uncertainty(y, x) = halve(four.uncertainty(y, x));
+    }
+  }
+  WinnerMap eight = four;  // shares its images
+  for (cv::Mat_<std::uint16_t>* costs : {&eight.cost, &eight.second, &eight.uncertainty}) {
+    *costs = costs->clone();
+    for (std::uint16_t& cost : *costs) {
+      if (cost != WinnerMap::kNone) cost = static_cast<std::uint16_t>(2 * cost);
+    }
+  }
+  for (const ConfidenceMeasure measure :
+       {ConfidenceMeasure::kPeakDifference, ConfidenceMeasure::kUncertainty}) {
+    const cv::Mat expected = ConfidenceOf(eight, measure);
+    const cv::Mat confidence = ConfidenceOf(four, measure, PathScheme::kFour);
+    EXPECT_EQ(cv::norm(expected, confidence, cv::NORM_INF), 0.0);
+  }
+}
+
 TEST(ConfidenceTest, DoesNotDependOnHowRowsAreDivided) {
   const WinnerMap map = RandomWinnerMap({31, 13, 10, 0}, 3);
   cv::Mat left_right(map.winner.size(), CV_16U);
@@ -127,7 +161,8 @@ TEST(ConfidenceTest, DoesNotDependOnHowRowsAreDivided) {
        {ConfidenceMeasure::kPeakDifference, ConfidenceMeasure::kUncertainty}) {
     cv::Mat one_by_one(map.winner.size(), CV_32F);
     for (int y = 0; y < 13; ++y) {
-      ComputeConfidence(map, left_right, measure, kP1, y, y + 1, &one_by_one);
+      ComputeConfidence(map, left_right, measure, OptionsOf(PathScheme::kEight), y, y + 1,
+                        &one_by_one);
     }
     EXPECT_EQ(cv::norm(one_by_one, ConfidenceOf(map, measure), cv::NORM_INF), 0.0);
   }

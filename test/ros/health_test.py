@@ -133,9 +133,9 @@ class HealthTest(NodeletCase):
         client, _ = self.reconfigurer()
         client.update_configuration({"target_rate": 1000})
         levels = [self.match(self.camera.next_frame())["statistics"].load_level
-                  for _ in range(14)]
+                  for _ in range(16)]
         self.assertEqual(levels, sorted(levels))
-        self.assertEqual(levels[-1], 5)
+        self.assertEqual(levels[-1], 6)
         results = self.match(self.camera.next_frame())
         self.assertEqual(results["statistics"].load, "resolution: 1/4")
         self.assertEqual(results["disparity"].image.width, rig.WIDTH)
