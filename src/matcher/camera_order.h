@@ -7,9 +7,9 @@
 
 namespace stereo_sgmp {
 
-// Whether the pair matches far better with left and right exchanged, over the same range of
-// disparities. Matches the pair twice at a small size: a few milliseconds. Images as Matcher takes
-// them.
+// Whether the pair matches better with left and right exchanged, in most parts of the image; where
+// both orders match as well, as on perfectly repeated texture, it says no. Matches the pair twice
+// at a small size: some ten milliseconds. Images as Matcher takes them.
 bool LookSwapped(const cv::Mat& left, const cv::Mat& right, const Options& options);
 
 }  // namespace stereo_sgmp

@@ -9,8 +9,7 @@ namespace {
 
 constexpr double kLargestOffset = 1.0;  // px; from there on matching suffers without correction
 constexpr int kFewestFeatures = 50;     // to trust the offset
-constexpr double kSparse = 0.3;         // share of valid pixels that is suspicious
-constexpr int kCheckInterval = 30;      // frames
+constexpr double kSparse = 0.6;         // share of valid pixels below which the order is checked
 
 std::string MisalignmentText(const AlignmentReport& alignment) {
   std::ostringstream text;
@@ -32,11 +31,12 @@ std::vector<RigProblem> RigWatch::Check(const cv::Mat& left, const cv::Mat& righ
   if (alignment.inliers >= kFewestFeatures && alignment.median_offset > kLargestOffset) {
     problems.push_back({"rows", MisalignmentText(alignment)});
   }
+  ++frames_since_check_;
   if (statistics.density >= kSparse) {
-    sparse_frames_ = 0;
     swapped_ = false;
-  } else if (sparse_frames_++ % kCheckInterval == 0) {
+  } else if (frames_since_check_ >= kCheckInterval) {
     swapped_ = LookSwapped(left, right, options);
+    frames_since_check_ = 0;
   }
   if (swapped_) {
     problems.push_back({"swapped",

@@ -20,13 +20,15 @@ struct RigProblem {
 // differ between the images, and left and right exchanged.
 class RigWatch {
  public:
-  // After the match of a pair. Only where little matches, and then in every 30th frame, it takes
-  // more than a look at the statistics.
+  // After the match of a pair. Only where much does not match, and then in every 30th frame at
+  // most, it takes more than a look at the statistics.
   std::vector<RigProblem> Check(const cv::Mat& left, const cv::Mat& right, const Options& options,
                                 const MatchStatistics& statistics);
 
  private:
-  int sparse_frames_ = 0;
+  static constexpr int kCheckInterval = 30;  // frames
+
+  int frames_since_check_ = kCheckInterval;
   bool swapped_ = false;  // as it looked last
 };
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "matcher/repeating_pair.h"
 #include "scene/generated_scene.h"
 
 namespace stereo_sgmp {
@@ -15,10 +16,37 @@ TEST(LookSwappedTest, TellsPairsFromExchangedOnes) {
     Options options;
     options.num_disparities = scene.num_disparities;
     EXPECT_FALSE(LookSwapped(scene.left, scene.right, options));
-    // Bars that repeat match in any order.
-    const bool repeats = kind == SceneKind::kFence;
-    EXPECT_EQ(LookSwapped(scene.right, scene.left, options), !repeats);
+    EXPECT_TRUE(LookSwapped(scene.right, scene.left, options));
   }
+}
+
+TEST(LookSwappedTest, IsNotMisledByTextureThatRepeatsWithinTheRange) {
+  Options options;
+  options.num_disparities = 48;
+  for (const double period : {9.0, 14.0, 20.0, 27.0}) {
+    SCOPED_TRACE(period);
+    const RepeatingPair pair = MakeRepeatingPair({240, 180}, period, 10.0);
+    EXPECT_FALSE(LookSwapped(pair.left, pair.right, options));
+    EXPECT_TRUE(LookSwapped(pair.right, pair.left, options));
+  }
+}
+
+TEST(LookSwappedTest, SaysNothingWhereBothOrdersMatchAsWell) {
+  const cv::Mat wall = RepeatingWall({240, 180}, 14.0);
+  const cv::Mat moved = RepeatingWall({240, 180}, 14.0, 7.0);  // half a period, either way
+  for (const int disparities : {5, 10, 48}) {
+    Options options;
+    options.num_disparities = disparities;
+    EXPECT_FALSE(LookSwapped(wall, moved, options)) << disparities;
+    EXPECT_FALSE(LookSwapped(moved, wall, options)) << disparities;
+  }
+}
+
+TEST(LookSwappedTest, DoesNotBlameTextureNearerThanTheRange) {
+  Options options;
+  options.num_disparities = 10;  // the wall is at 13, or at 1 of the exchanged pair
+  const cv::Mat wall = RepeatingWall({240, 180}, 14.0);
+  EXPECT_FALSE(LookSwapped(wall, RepeatingWall({240, 180}, 14.0, 13.0), options));
 }
 
 TEST(LookSwappedTest, DoesNotBlameImagesWithoutTextureOrMatches) {
