@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """What goes wrong in robots while the nodelet runs: the output comes back by itself."""
+import ast
 import io
 import os
 import random
@@ -34,6 +35,15 @@ def connect_and_leave(node, topic):
             connection, {"callerid": rospy.get_name(), "topic": topic,
                          "type": DisparityImage._type, "md5sum": DisparityImage._md5sum})
         rosgraph.network.read_ros_handshake_header(connection, io.BytesIO(), 4096)
+
+
+def ends_of(parameter):
+    """The extremes of a parameter of dynamic_reconfigure, or all of its choices."""
+    if parameter["type"] == "bool":
+        return [False, True]
+    if parameter["type"] in ("int", "double"):
+        return [parameter["min"], parameter["max"]]
+    return [choice["value"] for choice in ast.literal_eval(parameter["edit_method"])["enum"]]
 
 
 class FaultTest(unittest.TestCase):
@@ -160,11 +170,10 @@ class FaultTest(unittest.TestCase):
         client = Client("/stereo/matcher", timeout=rig.TIMEOUT)
         before = client.update_configuration({})
         self.addCleanup(client.close)
-        extremes = {parameter["name"]: (parameter["min"], parameter["max"])
-                    for parameter in client.get_parameter_descriptions(timeout=rig.TIMEOUT)
-                    if parameter["type"] in ("int", "double")}
+        extremes = {parameter["name"]: ends_of(parameter)
+                    for parameter in client.get_parameter_descriptions(timeout=rig.TIMEOUT)}
         chance = random.Random(2)
-        choices = [lambda ends: ends[0], lambda ends: ends[1]] + 28 * [chance.choice]
+        choices = [lambda ends: ends[0], lambda ends: ends[-1]] + 28 * [chance.choice]
         for choose in choices:
             client.update_configuration({name: choose(ends) for name, ends in extremes.items()})
             self.camera.send(self.camera.next_frame())

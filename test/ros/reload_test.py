@@ -8,6 +8,7 @@ import sys
 import unittest
 
 import rosgraph
+import roslaunch.config
 import rospkg
 import rospy
 import rostest
@@ -23,6 +24,15 @@ IN_NAMESPACE = ["__ns:=/stereo", "__name:=matcher"]
 def is_advertised():
     publishers, _, _ = rosgraph.Master("/reload_test").getSystemState()
     return any(topic == "/stereo/disparity" for topic, _ in publishers)
+
+
+def parameters_of_launch(*arguments):
+    """What stereo_sgmp.launch with these arguments sets for the nodelet."""
+    launch_file = os.path.join(rospkg.RosPack().get_path("stereo_sgmp"), "launch",
+                               "stereo_sgmp.launch")
+    config = roslaunch.config.load_config_default([(launch_file, list(arguments))], None)
+    return {name[len("/disparity/"):]: parameter.value
+            for name, parameter in config.params.items() if name.startswith("/disparity/")}
 
 
 class ReloadTest(unittest.TestCase):
@@ -65,7 +75,9 @@ class ReloadTest(unittest.TestCase):
     def check_preset(self, path):
         """It loads without complaint, says what it should, and matches."""
         rospy.delete_param("/stereo/matcher")
-        subprocess.check_call(["rosparam", "load", path, "/stereo/matcher"])
+        name = os.path.splitext(os.path.basename(path))[0]
+        for parameter, value in parameters_of_launch("preset:=" + name).items():
+            rospy.set_param("/stereo/matcher/" + parameter, value)
         with open(path) as file:
             wanted = yaml.safe_load(file)
         heard = self.log.count()

@@ -36,8 +36,8 @@ class SoakTest(unittest.TestCase):
             def count(_):
                 counts[topic] += 1
             return count
-        for topic, kind in zip(counts, (DisparityImage, PointCloud2, Image)):
-            rospy.Subscriber("/stereo/" + topic, kind, counter(topic), queue_size=5)
+        listeners = [rospy.Subscriber("/stereo/" + topic, kind, counter(topic), queue_size=5)
+                     for topic, kind in zip(counts, (DisparityImage, PointCloud2, Image))]
         camera.wait_for_matcher()
         manager = rig.process_of("/stereo/manager")
         # Buffers grow to their sizes in the first frames.
@@ -51,6 +51,16 @@ class SoakTest(unittest.TestCase):
         self.assertLess(after, before + 10e6)
         for topic, count in counts.items():
             self.assertGreater(count, frames / 4, topic)
+        for listener in listeners:
+            listener.unregister()
+        camera.wait_for_matcher(connected=False)
+        self.check_idle(camera, manager)
+
+    def check_idle(self, camera, manager):
+        """While the cameras go on, a manager that nobody listens to takes next to no time."""
+        before = rig.processor_seconds(manager)
+        self.stream(camera, 2.0)
+        self.assertLess(rig.processor_seconds(manager) - before, 0.05 * 2.0)
 
 
 if __name__ == "__main__":

@@ -222,6 +222,14 @@ def resident_bytes(pid):
         return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
 
+def processor_seconds(pid):
+    """Time of all cores that a process has taken."""
+    with open("/proc/%d/stat" % pid) as file:
+        fields = file.read().rpartition(")")[2].split()
+    user, system = fields[11:13]
+    return (int(user) + int(system)) / os.sysconf("SC_CLK_TCK")
+
+
 def wait_until(condition, problem):
     """Polls in wall time, since simulated time may stand still."""
     end = time.monotonic() + TIMEOUT
