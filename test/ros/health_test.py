@@ -80,9 +80,11 @@ class HealthTest(NodeletCase):
 
     def test_swapped_images(self):
         self.listen("disparity")
-        frame = self.camera.next_frame()
-        frame.left.data, frame.right.data = frame.right.data, frame.left.data
-        self.match(frame)
+        # The order is looked at now and then.
+        for _ in range(30):
+            frame = self.camera.next_frame()
+            frame.left.data, frame.right.data = frame.right.data, frame.left.data
+            self.match(frame)
         self.log.wait_for("match only with left and right exchanged; expected the left camera on")
         self.match_good_frame()
 
