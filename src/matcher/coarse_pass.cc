@@ -33,7 +33,9 @@ VolumeShape CoarsePass::Shape(const Options& options, cv::Size full) {
   const double ratio = static_cast<double>(shape.width) / full.width;
   const int last = options.min_disparity + options.num_disparities - 1;
   shape.min_disparity = static_cast<int>(std::floor(options.min_disparity * ratio));
-  shape.disparities = static_cast<int>(std::ceil(last * ratio)) - shape.min_disparity + 1;
+  // None beyond the range: ranges are mostly multiples of SIMD vectors, and stay so.
+  shape.disparities =
+      std::max(1, static_cast<int>(std::floor(last * ratio)) - shape.min_disparity + 1);
   return shape;
 }
 
