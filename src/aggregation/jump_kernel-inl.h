@@ -64,6 +64,17 @@ HWY_INLINE void Arrive(const JumpSegment& segment, const Journey<T>& journey, T*
   }
 }
 
+// What arrives where all disparities move by up to PathSlot::kPad.
+template <class T>
+HWY_INLINE void MoveAll(int jump, const Journey<T>& journey, T* moved) {
+  const Tag<T> d;
+  const Lanes<T> price = hn::Set(d, PriceOfStaying(journey));
+  for (int t = 0; t < journey.disparities; t += kLanes<T>) {
+    const Lanes<T> stays = hn::SaturatedAdd(hn::Load(d, journey.message + t), price);
+    hn::Store(hn::Min(stays, hn::LoadU(d, journey.message + t - jump)), d, moved + t);
+  }
+}
+
 // What arrives where one cell moves by up to PathSlot::kPad, in one pass over the message.
 template <class T>
 HWY_INLINE void MoveCell(const JumpSegment& cell, const Journey<T>& journey, T* moved) {
@@ -113,7 +124,11 @@ HWY_INLINE const T* MoveMessage(const JumpRow& row, std::size_t entry, const Jou
   }
   const bool moves_all = begin == 0 && end == journey.disparities;
   if (moves_all && journey.slack < 0) return journey.message - jump;
-  MoveCell({begin, end, jump}, journey, moved);
+  if (moves_all) {
+    MoveAll(jump, journey, moved);
+  } else {
+    MoveCell({begin, end, jump}, journey, moved);
+  }
   return moved;
 }
 
