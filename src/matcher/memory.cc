@@ -29,9 +29,11 @@ constexpr std::size_t kImageBytesPerPixel = 82;
 // before too, and what they are integrated to.
 constexpr std::size_t kNormalsBytesPerPixel = 3 * (sizeof(float) + sizeof(std::int32_t));
 
-// What is added where the surfaces are placed: the placed surface, and rounded; and per coarse
-// pixel its component and its votes.
-constexpr std::size_t kPlacedBytesPerPixel = sizeof(float) + sizeof(std::int16_t);
+// What is added where the surfaces are placed: the placed surface, and rounded; its components; two
+// choices of scales, the edges of the image, how much each channel changes, twice, and the pixels
+// that surfaces spread to; and per coarse pixel its component and its votes.
+constexpr std::size_t kPlacedBytesPerPixel =
+    sizeof(float) + sizeof(std::int16_t) + sizeof(std::int32_t) + 9 + 2 * sizeof(int);
 constexpr std::size_t kPlacementBytesPerCoarsePixel = 40;
 
 // Bytes per coarse pixel of a Manhattan world: 15 masks of lines and what they sweep, the

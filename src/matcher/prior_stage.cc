@@ -110,7 +110,8 @@ PathPrior PriorStage::Make(const PriorOptions& options, const MatchInputs& input
   if (options.variant == Variant::kGs) return FromSurface(inputs.surface, shape);
   return Trusted(normals_.Build({options.variant == Variant::kGnv, options.gni_disparity},
                                 inputs.normals, inputs.discontinuities, *inputs.camera,
-                                {coarse.disparity(), coarse.confident()}, shape, pool));
+                                {coarse.disparity(), coarse.confident()}, images.left_color(),
+                                shape, pool));
 }
 
 PathPrior PriorStage::FromPlanes(const PriorOptions& options, const CoarseDisparity& coarse,

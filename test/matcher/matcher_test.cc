@@ -253,7 +253,7 @@ TEST(MatcherTest, TheMemoryIsThatOfTheVariantAndOfOwnCosts) {
   EXPECT_EQ(EstimateMemory(options, size), plain + pixels * 24);
   options.prior.variant = Variant::kGnv;
   // A float, rounded too, and 40 bytes per pixel of a coarse image of half the size.
-  EXPECT_EQ(EstimateMemory(options, size), plain + pixels * (24 + 6) + pixels / 4 * 40);
+  EXPECT_EQ(EstimateMemory(options, size), plain + pixels * (24 + 27) + pixels / 4 * 40);
 }
 
 TEST(MatcherTest, AnErrorLeavesTheMatcherUsable) {

@@ -167,18 +167,18 @@ int NormalPrior::IndexOf(float scale, float e) const {
   return index[0];
 }
 
-const OrientationPrior* NormalPriorBuilder::Build(const NormalPriorSettings& settings,
-                                                  const cv::Mat& normals,
-                                                  const cv::Mat& discontinuities,
-                                                  const StereoCamera& camera,
-                                                  const CoarseDisparity& coarse,
-                                                  const VolumeShape& shape, ThreadPool* pool) {
+const OrientationPrior* NormalPriorBuilder::Build(
+    const NormalPriorSettings& settings, const cv::Mat& normals, const cv::Mat& discontinuities,
+    const StereoCamera& camera, const CoarseDisparity& coarse, const cv::Mat& left,
+    const VolumeShape& shape, ThreadPool* pool) {
   CheckSize(normals.size(), shape);
   const IntegratedNormals integrated = IntegrateNormals(normals, discontinuities, camera, pool);
   if (settings.all_depths) {
-    prior_.Assign(
-        SurfacesAtAllDepths(integrated, camera.doffs, shape.min_disparity, shape.disparities),
-        PlaceSurfaces(integrated, coarse, camera.doffs, pool), shape);
+    SurfaceFamily family =
+        SurfacesAtAllDepths(integrated, camera.doffs, shape.min_disparity, shape.disparities);
+    const PlacedSurfaces placed = PlaceSurfaces(integrated, coarse, left, camera.doffs, pool);
+    family.component = placed.component;
+    prior_.Assign(std::move(family), placed.disparity, shape);
   } else {
     const double middle = shape.min_disparity + 0.5 * (shape.disparities - 1);
     const double disparity = settings.disparity != 0.0 ? settings.disparity : middle;

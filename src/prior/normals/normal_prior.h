@@ -22,12 +22,12 @@ namespace stereo_sgmp {
 // Jumps along the surfaces of a family (paper, Sec. 3.3), with S^ = floor(S + 1/2):
 //   j_p(d) = S^_k(q) - S^_k(p), k = argmin |S^_k(p) - d|, the lower k where two are as near;
 // Limited to +- the number of disparities. A family of one surface makes a 2D prior. Where p and q
-// are of two components of one cell, between which normals say nothing, all disparities take the
-// jump of the placed surface; 0 without one, and from cell to cell.
+// are of two components of one cell, between which there is a step in depth or normals say nothing,
+// all disparities take the jump of the placed surface; 0 without one, and from cell to cell.
 class NormalPrior : public OrientationPrior {
  public:
-  // `placed`, if not empty, as of PlaceSurfaces. Throws std::invalid_argument where the family or
-  // the surface is not of the size of `shape`.
+  // `placed`, if not empty, as PlacedSurfaces::disparity. Throws std::invalid_argument where the
+  // family or the surface is not of the size of `shape`.
   void Assign(SurfaceFamily family, const cv::Mat& placed, const VolumeShape& shape);
 
   void Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* row) const override;
@@ -77,13 +77,13 @@ struct NormalPriorSettings {
 class NormalPriorBuilder {
  public:
   // `normals` and `discontinuities` as IntegrateNormals takes them, of the size of `shape`; for
-  // GNv, `coarse` is what the surfaces are placed by. The result is valid until the next call.
-  // Throws std::invalid_argument as IntegrateNormals and where the search range lies behind the
-  // camera or the sizes differ.
+  // GNv, `coarse` and `left` are what the surfaces are placed by, see PlaceSurfaces. The result is
+  // valid until the next call. Throws std::invalid_argument as IntegrateNormals and where the
+  // search range lies behind the camera or the sizes differ.
   const OrientationPrior* Build(const NormalPriorSettings& settings, const cv::Mat& normals,
                                 const cv::Mat& discontinuities, const StereoCamera& camera,
-                                const CoarseDisparity& coarse, const VolumeShape& shape,
-                                ThreadPool* pool);
+                                const CoarseDisparity& coarse, const cv::Mat& left,
+                                const VolumeShape& shape, ThreadPool* pool);
 
  private:
   NormalPrior prior_;

@@ -225,8 +225,8 @@ class NormalPriorBuilderTest : public testing::Test {
   // Where a path along the middle row ends that starts at x = 0 with disparity `d` and follows the
   // prior's jumps up to x = 59.
   double FollowRow(const NormalPriorSettings& settings, int d) {
-    const OrientationPrior* prior =
-        builder_.Build(settings, surface_.normals, cv::Mat(), camera_, Coarse(), shape_, &pool_);
+    const OrientationPrior* prior = builder_.Build(settings, surface_.normals, cv::Mat(), camera_,
+                                                   Coarse(), image_, shape_, &pool_);
     JumpRow row;
     prior->Jumps(20, 0, shape_.width, {1, 0}, &row);
     for (std::size_t x = 1; x < 60; ++x) {
@@ -246,6 +246,7 @@ class NormalPriorBuilderTest : public testing::Test {
   StereoCamera camera_ = OffCenterCamera();
   cv::Mat coarse_;
   cv::Mat confident_{20, 30, CV_8U, cv::Scalar(255)};
+  cv::Mat image_{40, 60, CV_8U, cv::Scalar(90)};
   VolumeShape shape_ = Shape(60, 40, 128, 0);
   KnownSurface surface_ = PlaneSurface({60, 40}, {0.4, 0.1, 30.0}, camera_);
   ThreadPool pool_{2};
@@ -271,6 +272,14 @@ TEST_F(NormalPriorBuilderTest, GnvLeadsFromWallToBarAndBack) {
   EXPECT_NEAR(FollowRow({}, start), surface_.disparity(20, 59), 3.5);
 }
 
+// The normals of bar and wall are the same.
+TEST_F(NormalPriorBuilderTest, GnvStepsAtAnEdgeOfTheImageBetweenParallelSurfaces) {
+  surface_ = PlaneSurface({60, 40}, {0.0, 0.0, 30.0}, camera_);
+  surface_.Draw({19, 0, 41, 40}, {0.0, 0.0, 90.0}, camera_);
+  image_.colRange(19, 60).setTo(150);
+  EXPECT_EQ(FollowRow({}, 30), 90.0);
+}
+
 TEST_F(NormalPriorBuilderTest, SlantOfGniIsThatOfItsDepth) {
   NormalPriorSettings settings;
   settings.all_depths = false;
@@ -292,7 +301,7 @@ TEST_F(NormalPriorBuilderTest, GniLiesInTheMiddleOfTheRangeUnlessToldOtherwise) 
 
 TEST_F(NormalPriorBuilderTest, RefusesMalformedInput) {
   const auto build = [this](const cv::Mat& normals) {
-    builder_.Build({}, normals, cv::Mat(), camera_, Coarse(), shape_, &pool_);
+    builder_.Build({}, normals, cv::Mat(), camera_, Coarse(), image_, shape_, &pool_);
   };
   EXPECT_THROW(build(cv::Mat()), std::invalid_argument);
   EXPECT_THROW(build(surface_.normals.rowRange(0, 39)), std::invalid_argument);

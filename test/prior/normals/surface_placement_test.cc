@@ -31,12 +31,18 @@ struct CoarseMap {
   cv::Mat_<uchar> confident;
 };
 
-cv::Mat_<float> Place(const KnownSurface& known, const CoarseMap& coarse, int threads = 2) {
+PlacedSurfaces PlaceBy(const cv::Mat& image, const KnownSurface& known, const CoarseMap& coarse,
+                       int threads = 2) {
   ThreadPool pool(threads);
   const IntegratedNormals normals =
       IntegrateNormals(known.normals, cv::Mat(), OffCenterCamera(), &pool);
-  return PlaceSurfaces(normals, {coarse.disparity, coarse.confident}, OffCenterCamera().doffs,
-                       &pool);
+  return PlaceSurfaces(normals, {coarse.disparity, coarse.confident}, image,
+                       OffCenterCamera().doffs, &pool);
+}
+
+// Nothing is seen in the image.
+cv::Mat_<float> Place(const KnownSurface& known, const CoarseMap& coarse, int threads = 2) {
+  return PlaceBy(cv::Mat(kSize, CV_8UC1, cv::Scalar(90)), known, coarse, threads).disparity;
 }
 
 double LargestError(const cv::Mat_<float>& placed, const KnownSurface& known,
@@ -79,6 +85,50 @@ TEST(PlaceSurfaces, ParallelSurfacesOneBehindTheOtherAreToldApart) {
   EXPECT_LT(LargestError(placed, known, {0, 0, 60, kSize.height}), 0.5);
 }
 
+// Two surfaces that face the camera. The coarse disparities of the front one reach two coarse
+// pixels too far, and what is hidden from the right camera isn't confident, nor an end of the front
+// one.
+class ParallelSurfaces : public testing::Test {
+ protected:
+  ParallelSurfaces() {
+    known_.Draw(kFrontArea, {0.0, 0.0, 90.0}, OffCenterCamera());
+    coarse_ = CoarseMap(known_);
+    cv::dilate(coarse_.disparity, coarse_.disparity, cv::Mat::ones(3, 3, CV_8U));
+    coarse_.confident(cv::Rect(9, 0, 10, 40)).setTo(0);
+    coarse_.confident(cv::Rect(40, 20, 14, 20)).setTo(0);
+    cv::randu(image_, 90, 100);
+    cv::Mat_<cv::Vec3b> front = image_(kFrontArea);
+    cv::randu(front, 115, 125);
+  }
+
+  const cv::Rect kFrontArea{71, 18, 127, 121};
+  KnownSurface known_ = PlaneSurface(kSize, {0.0, 0.0, 30.0}, OffCenterCamera());
+  CoarseMap coarse_{known_};
+  cv::Mat_<cv::Vec3b> image_{kSize};
+};
+
+TEST_F(ParallelSurfaces, StepWhereTheImageDoes) {
+  cv::Mat placed;
+  PlaceBy(image_, known_, coarse_).disparity.convertTo(placed, CV_64F);
+  // An edge is as wide as the pixels to both sides of it.
+  cv::Mat_<uchar> beside_edges(kSize, uchar{255});
+  cv::rectangle(beside_edges, kFrontArea, cv::Scalar(0), 3);
+  EXPECT_LT(cv::norm(placed, known_.disparity, cv::NORM_INF, beside_edges), 0.5);
+}
+
+TEST_F(ParallelSurfaces, AreNoLongerOfOneComponent) {
+  const PlacedSurfaces placed = PlaceBy(image_, known_, coarse_);
+  for (int y = 0; y < kSize.height; ++y) {
+    for (int x = 1; x < kSize.width; ++x) {
+      const int p = placed.component(y, x - 1);
+      const int q = placed.component(y, x);
+      if (IntegratedNormals::CellOf(p) != IntegratedNormals::CellOf(q)) continue;
+      const bool steps = std::abs(placed.disparity(y, x) - placed.disparity(y, x - 1)) > 30.0F;
+      ASSERT_EQ(p != q, steps) << x << ", " << y;
+    }
+  }
+}
+
 TEST(PlaceSurfaces, WhereNothingIsConfidentNothingIsPlaced) {
   const KnownSurface known = PlaneSurface(kSize, kWall, OffCenterCamera());
   CoarseMap coarse(known);
@@ -95,8 +145,12 @@ TEST(PlaceSurfaces, SameBitsOnAnyNumberOfThreads) {
   known.Draw({100, 30, 90, 100}, kFront, OffCenterCamera());
   CoarseMap coarse(known);
   cv::randu(coarse.disparity(cv::Rect(0, 0, 40, 20)), 0.0, 30.0);
-  const cv::Mat_<float> one = Place(known, coarse, 1);
-  EXPECT_EQ(cv::norm(one, Place(known, coarse, 3), cv::NORM_INF), 0.0);
+  cv::Mat image(kSize, CV_8UC3);
+  cv::randu(image, 0, 255);
+  const PlacedSurfaces one = PlaceBy(image, known, coarse, 1);
+  const PlacedSurfaces three = PlaceBy(image, known, coarse, 3);
+  EXPECT_EQ(cv::norm(one.disparity, three.disparity, cv::NORM_INF), 0.0);
+  EXPECT_EQ(cv::norm(one.component, three.component, cv::NORM_INF), 0.0);
 }
 
 }  // namespace
