@@ -8,9 +8,9 @@ from typing import NamedTuple, Optional
 _COST = 14 + 4 + 8 + 11
 # A path: predecessor's neighbours (minimum, sum with P1), itself, P2 (2 minima), less the
 # smallest, plus the cost, running minimum, its share of the sum. Eight of them; then both halves of
-# the sum, the winner (minimum, comparison), the right image's (minimum, comparison, choice of the
-# index), the second best (comparison, minimum), 16 bits each.
-_AGGREGATION = 8 * 8 + 2 * 8
+# the sum (two minima, two differences, the sum), the winner (minimum, comparison), the right image's
+# (mean with the base, minimum, comparison, choice of the index), the second best (choice, minimum).
+_AGGREGATION = 8 * 8 + 13
 _SWEEPS = 2  # each asks for the costs
 # The sum of the first four paths, written and read.
 _AGGREGATION_BYTES = 2
