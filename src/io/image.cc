@@ -1,7 +1,11 @@
 #include "io/image.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <opencv2/imgcodecs.hpp>
@@ -15,9 +19,39 @@ bool StartsWith(const std::string& bytes, const std::string& prefix) {
   return bytes.compare(0, prefix.size(), prefix) == 0;
 }
 
+// The next number of a PNM header, from `at` on, which moves behind it. Whatever else stands before
+// it is left out, as decoders do.
+std::uint64_t NextNumber(const std::string& bytes, std::size_t* at) {
+  constexpr std::uint64_t kMost = 1U << 31;
+  const auto is_digit = [&](std::size_t i) { return bytes[i] >= '0' && bytes[i] <= '9'; };
+  while (*at < bytes.size() && !is_digit(*at)) {
+    *at = bytes[*at] == '#' ? std::min(bytes.find('\n', *at), bytes.size()) : *at + 1;
+  }
+  std::uint64_t number = 0;
+  for (; *at < bytes.size() && is_digit(*at); ++*at) {
+    number = std::min(10 * number + static_cast<std::uint64_t>(bytes[*at] - '0'), kMost);
+  }
+  return number;
+}
+
+// Whether a PNM has less than a bit (P4) or a byte for each of the pixels that its header claims,
+// for which decoders would make room.
+bool IsShortPnm(const std::string& bytes) {
+  std::size_t at = 2;
+  const std::uint64_t width = NextNumber(bytes, &at);
+  const std::uint64_t height = NextNumber(bytes, &at);
+  const std::uint64_t least = bytes[1] == '4' ? width * height / 8 : width * height;
+  return bytes.size() < least;
+}
+
+bool IsPnm(const std::string& bytes) {
+  return bytes.size() > 1 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6';
+}
+
 // Decoders fill the missing part of a truncated file with gray, or complain on their own, so it
-// is recognised by the end mark that its format prescribes.
+// is recognised by the end mark that its format prescribes, or by its size.
 bool IsTruncated(const std::string& bytes) {
+  if (IsPnm(bytes)) return IsShortPnm(bytes);
   if (StartsWith(bytes, "\x89PNG")) return bytes.rfind("IEND") == std::string::npos;
   if (StartsWith(bytes, "\xFF\xD8")) {
     const std::size_t end = bytes.rfind("\xFF\xD9");
@@ -35,7 +69,7 @@ bool IsKnownFormat(const std::string& bytes) {
     if (StartsWith(bytes, prefix)) return true;
   }
   if (StartsWith(bytes, "RIFF")) return bytes.size() > 12 && bytes.compare(8, 4, "WEBP") == 0;
-  return bytes.size() > 1 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6';
+  return IsPnm(bytes);
 }
 
 cv::Mat Decode(const std::string& bytes, const std::string& path) {

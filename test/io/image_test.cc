@@ -51,6 +51,15 @@ TEST(Image, RecognisesTruncatedFiles) {
   }
 }
 
+TEST(Image, MakesNoRoomForPixelsThatAFileDoesNotHold) {
+  const TemporaryFolder folder;
+  for (const char* header :
+       {"P6\n666\n666332 255\n", "P5 # 1 2\n40000 40000 255\n", "P4\n99999 9999\n"}) {
+    const std::string path = folder.Write("a.ppm", std::string(header) + "pixels");
+    ExpectInvalid([&] { LoadImage(path); }, "truncated");
+  }
+}
+
 TEST(Image, RefusesFloatPictures) {
   const TemporaryFolder folder;
   cv::imwrite(folder.Path("a.tiff"), cv::Mat::ones(4, 4, CV_32F));
