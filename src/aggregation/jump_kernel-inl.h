@@ -28,7 +28,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class T>
 struct Journey {
   const T* message;
-  int disparities;
+  int disparities;      // of the pixel that it arrives at
+  int all_disparities;  // of the volume: the pixel that it comes from may have more or fewer
   int slack;
 };
 
@@ -115,14 +116,14 @@ HWY_INLINE const T* MoveMessage(const JumpRow& row, std::size_t entry, const Jou
     return moved;
   }
   const int begin = row.begin[entry];
-  const int end = std::min<int>(row.end[entry], journey.disparities);
+  const int end = std::min<int>(row.end[entry], journey.all_disparities);
   if (std::abs(jump) > PathSlot<T>::kPad) {
     const JumpSegment segments[] = {
-        {0, begin, 0}, {begin, end, jump}, {end, journey.disparities, 0}};
+        {0, begin, 0}, {begin, end, jump}, {end, journey.all_disparities, 0}};
     MoveSegments(segments, 3, journey, moved);
     return moved;
   }
-  const bool moves_all = begin == 0 && end == journey.disparities;
+  const bool moves_all = begin == 0 && end == journey.all_disparities;
   if (moves_all && journey.slack < 0) return journey.message - jump;
   if (moves_all) {
     MoveAll(jump, journey, moved);

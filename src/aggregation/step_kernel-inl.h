@@ -79,7 +79,8 @@ class StepCursor {
   HWY_INLINE void Move(std::ptrdiff_t entry, PathStepState<T> (&steps)[kPaths]) const {
     for (int path = 0; path < kPaths; ++path) {
       if ((s_.moves[entry] >> path & 1) == 0 || steps[path].received == s_.start) continue;
-      const Journey<T> journey{steps[path].received, s_.disparities, s_.jump_slack};
+      const Journey<T> journey{steps[path].received, s_.disparities, s_.all_disparities,
+                               s_.jump_slack};
       steps[path].received = MoveMessage<T>(
           (*s_.jumps)[static_cast<std::size_t>(path)], static_cast<std::size_t>(entry), journey,
           s_.moved + path * static_cast<std::ptrdiff_t>(s_.current.slot));
