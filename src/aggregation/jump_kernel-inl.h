@@ -56,12 +56,13 @@ HWY_INLINE void Arrive(const JumpSegment& segment, const Journey<T>& journey, T*
   const int first = std::max(segment.begin + segment.jump, 0);
   const int end = std::min(segment.end + segment.jump, journey.disparities);
   if (first >= end) return;
+  const T* from_first = RangeMasks<T>::From(first);
+  const T* from_end = RangeMasks<T>::From(end);
   for (int t = first & -kLanes<T>; t < end; t += kLanes<T>) {
-    const Lanes<T> before = hn::LoadU(d, LaneMasks<T>::Below(std::max(first - t, 0)));
-    const Lanes<T> behind = hn::LoadU(d, LaneMasks<T>::From(std::min(end - t, kLanes<T>)));
+    const Lanes<T> comes = hn::AndNot(hn::LoadU(d, from_end + t), hn::LoadU(d, from_first + t));
     const Lanes<T> arrived = hn::LoadU(d, journey.message + t - segment.jump);
     const Lanes<T> there = hn::Load(d, moved + t);
-    hn::Store(hn::Min(there, hn::Or(arrived, hn::Or(before, behind))), d, moved + t);
+    hn::Store(hn::Min(there, hn::Or(arrived, hn::Not(comes))), d, moved + t);
   }
 }
 

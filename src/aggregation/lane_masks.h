@@ -7,41 +7,14 @@
 
 namespace stereo_sgmp {
 
-// Masks to load as vectors of up to kMost lanes, to be or'ed to numbers that shall become the
-// largest there are: cheaper than making them anew where few lanes differ.
-template <class T>
-class LaneMasks {
- public:
-  static constexpr int kMost = 64;
-
-  // All bits of the lanes before `count`, none of the others; 0 <= count <= kMost.
-  static const T* Below(int count) { return kTable.data() + kMost - count; }
-
-  // All bits of the lanes from `count` on, none of those before.
-  static const T* From(int count) { return kTable.data() + 2 * kMost - count; }
-
- private:
-  using Table = std::array<T, 3 * kMost>;
-
-  static constexpr Table MakeTable() {
-    Table table{};
-    for (int i = 0; i < kMost; ++i) {
-      table[static_cast<std::size_t>(i)] = std::numeric_limits<T>::max();
-      table[static_cast<std::size_t>(2 * kMost + i)] = std::numeric_limits<T>::max();
-    }
-    return table;
-  }
-
-  static constexpr Table kTable = MakeTable();
-};
-
-// The same for disparity indices of a whole range: read at index t on, the masks say of t and those
-// behind it whether they are at least `count`.
+// Masks to load as vectors, for disparity indices of a whole range: read at index t on, all bits of
+// t and those behind it as far as they are at least `count`, none of the others. Cheaper than
+// making them anew where few lanes differ.
 template <class T>
 class RangeMasks {
  public:
-  // Disparities, and the jumps of PathSlot at both ends of their range.
-  static constexpr int kMost = 2048 + 2 * LaneMasks<T>::kMost;
+  // Disparities, and the jumps of PathSlot and a vector of lanes at both ends of their range.
+  static constexpr int kMost = 2048 + 2 * 64;
 
   static const T* From(int count) { return kTable.data() + kMost - count; }
 
