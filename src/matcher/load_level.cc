@@ -26,7 +26,7 @@ const std::vector<LoadLevel>& LoadLevels() {
                                              {"half of the paths", 1.0, false, false, 1.15},
                                              {"resolution: 3/4", 0.75, false, false, 1.15},
                                              {"resolution: 1/2", 0.5, false, false, 1.7},
-                                             {"resolution: 1/3", 1.0 / 3.0, false, false, 1.4},
+                                             {"resolution: 1/3", 1.0 / 3.0, false, false, 1.2},
                                              {"resolution: 1/4", 0.25, false, false, 1.3}};
   return levels;
 }
