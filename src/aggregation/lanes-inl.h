@@ -96,6 +96,17 @@ HWY_INLINE hn::Vec<D> SmallestOfLanes(D d, hn::Vec<D> v) {
 #endif
 }
 
+#if HWY_TARGET <= HWY_AVX3_DL
+
+// Bytes from lane `first` of `low`, and from `high` on: one shuffle in place of two.
+HWY_INLINE Lanes<std::uint8_t> ConcatFrom(std::uint8_t first, Lanes<std::uint8_t> low,
+                                          Lanes<std::uint8_t> high) {
+  const Lanes<std::uint8_t> lanes = hn::Iota(Tag<std::uint8_t>(), first);
+  return Lanes<std::uint8_t>{_mm512_permutex2var_epi8(low.raw, lanes.raw, high.raw)};
+}
+
+#endif  // HWY_TARGET <= HWY_AVX3_DL
+
 // Lane i becomes lane i + 1; the lowest comes from the highest of `below`.
 template <class T>
 HWY_INLINE Lanes<T> FromBelow(Lanes<T> below, Lanes<T> v) {
@@ -103,6 +114,9 @@ HWY_INLINE Lanes<T> FromBelow(Lanes<T> below, Lanes<T> v) {
   (void)v;
   return below;
 #else
+#if HWY_TARGET <= HWY_AVX3_DL
+  if constexpr (sizeof(T) == 1) return ConcatFrom(kLanes<T> - 1, below, v);
+#endif
   const Tag<T> d;
 #if HWY_TARGET <= HWY_AVX3
   const Lanes<T> blocks{_mm512_alignr_epi64(v.raw, below.raw, 6)};
@@ -122,6 +136,9 @@ HWY_INLINE Lanes<T> FromAbove(Lanes<T> v, Lanes<T> above) {
   (void)v;
   return above;
 #else
+#if HWY_TARGET <= HWY_AVX3_DL
+  if constexpr (sizeof(T) == 1) return ConcatFrom(1, v, above);
+#endif
   const Tag<T> d;
 #if HWY_TARGET <= HWY_AVX3
   const Lanes<T> blocks{_mm512_alignr_epi64(above.raw, v.raw, 2)};

@@ -66,10 +66,11 @@ HWY_INLINE Lanes<T> LoadCosts(const std::uint8_t* cost) {
   }
 }
 
-// Sends the message of path costs whose excess over their least is `l`.
+// Sends the message of the path costs `l`, of which the least is `smallest`. That is taken off last:
+// the steps between disparities need not wait for it.
 template <class T, int kVectors>
-HWY_INLINE void Send(const PixelShape<T, kVectors>& shape, const Lanes<T>* l, Lanes<T> p1,
-                     T* sent) {
+HWY_INLINE void Send(const PixelShape<T, kVectors>& shape, const Lanes<T>* l, Lanes<T> smallest,
+                     Lanes<T> p1, T* sent) {
   const Tag<T> d;
   const Lanes<T> unreachable = hn::Set(d, PathSlot<T>::kUnreachable);
   const int last = shape.Count() - 1;
@@ -77,7 +78,7 @@ HWY_INLINE void Send(const PixelShape<T, kVectors>& shape, const Lanes<T>* l, La
     const Lanes<T> above = FromAbove<T>(l[v], v < last ? l[v + 1] : unreachable);
     const Lanes<T> below = FromBelow<T>(v > 0 ? l[v - 1] : unreachable, l[v]);
     const Lanes<T> step = hn::SaturatedAdd(hn::Min(below, above), p1);
-    Lanes<T> message = hn::Min(l[v], step);
+    Lanes<T> message = hn::Sub(hn::Min(l[v], step), smallest);
     if (v == last) message = hn::Or(message, shape.tail);
     hn::Store(message, d, sent + v * kLanes<T>);
   }
@@ -99,8 +100,8 @@ HWY_INLINE int AdvancePath(const PixelShape<T, kVectors>& shape, const PathStepS
     least = hn::Min(least, l[v]);
   }
   const Lanes<T> smallest = SmallestOfLanes(d, least);
+  Send<T, kVectors>(shape, l, smallest, p1, path.sent);
   for (int v = 0; v <= last; ++v) l[v] = hn::Sub(l[v], smallest);
-  Send<T, kVectors>(shape, l, p1, path.sent);
   return hn::GetLane(smallest);
 }
 

@@ -1,3 +1,7 @@
+// With the byte shuffles of newer processors, for one step of the disparities.
+#ifndef HWY_WANT_AVX3_DL
+#define HWY_WANT_AVX3_DL
+#endif
 #include "aggregation/sweep_kernel.h"
 
 #undef HWY_TARGET_INCLUDE
