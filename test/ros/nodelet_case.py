@@ -22,6 +22,7 @@ class NodeletCase(unittest.TestCase):
     def setUpClass(cls):
         cls.camera = rig.Camera()
         cls.log = rig.LogListener()
+        cls.log.wait_for_node("/stereo/manager")
 
     def setUp(self):
         self.listeners = {}
@@ -34,8 +35,8 @@ class NodeletCase(unittest.TestCase):
     def listen(self, *topics):
         for topic in topics:
             self.listeners[topic] = rig.Listener("/stereo/" + topic, OUTPUTS[topic])
-            self.listeners[topic].wait_for_publisher()
         self.camera.wait_for_matcher()
+        rig.match_first(self.camera, self.listeners.values())
 
     def match(self, frame):
         """Sends a frame, returns what comes out by topic."""

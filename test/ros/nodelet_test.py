@@ -244,12 +244,15 @@ class NodeletTest(NodeletCase):
 
     def test_unequal_stamps(self):
         self.listen("disparity")
-        for _ in range(12):
+        sentence = "expected equal stamps; trigger the cameras together or set"
+
+        def send_unequal():
             frame = self.camera.next_frame()
             for message in (frame.right, frame.right_info):
                 message.header.stamp += rospy.Duration.from_sec(0.05)
             self.camera.send(frame)
-        self.log.wait_for("expected equal stamps; trigger the cameras together or set")
+            return self.log.has(sentence)
+        rig.wait_until(send_unequal, "nobody says '%s'" % sentence)
         self.match_good_frame()
 
     def test_time_going_back(self):

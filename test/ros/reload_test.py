@@ -40,6 +40,7 @@ class ReloadTest(unittest.TestCase):
     def setUpClass(cls):
         cls.camera = rig.Camera()
         cls.log = rig.LogListener()
+        cls.log.wait_for_node("/stereo/manager")
 
     def setUp(self):
         # What dynamic_reconfigure left of the test before.
@@ -64,13 +65,18 @@ class ReloadTest(unittest.TestCase):
             self.stop(process)
 
     def check_works(self, baseline=rig.BASELINE):
+        def frame():
+            frame = self.camera.next_frame()
+            frame.right_info.P[3] = -rig.FOCAL_LENGTH * baseline
+            return frame
         listener = rig.Listener("/stereo/disparity", DisparityImage)
-        self.camera.wait_for_matcher()
-        frame = self.camera.next_frame()
-        frame.right_info.P[3] = -rig.FOCAL_LENGTH * baseline
-        self.camera.send(frame)
-        rig.check_disparity(self, listener.wait_for(frame.left.header.stamp))
+        self.check_matches(listener, frame)
         listener.close()
+
+    def check_matches(self, listener, make_frame=None):
+        self.camera.wait_for_matcher()
+        message, = rig.match_first(self.camera, [listener], make_frame)
+        rig.check_disparity(self, message)
 
     def check_preset(self, path):
         """It loads without complaint, says what it should, and matches."""
@@ -116,15 +122,12 @@ class ReloadTest(unittest.TestCase):
     def test_unload_with_listener_and_work(self):
         process = self.load()
         listener = rig.Listener("/stereo/disparity", DisparityImage)
-        self.camera.wait_for_matcher()
+        self.check_matches(listener)
         for _ in range(5):
             self.camera.send(self.camera.next_frame())
         self.stop(process)
         process = self.load()
-        self.camera.wait_for_matcher()
-        frame = self.camera.next_frame()
-        self.camera.send(frame)
-        rig.check_disparity(self, listener.wait_for(frame.left.header.stamp))
+        self.check_matches(listener)
         listener.close()
         self.stop(process)
 

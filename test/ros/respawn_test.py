@@ -30,14 +30,17 @@ class RespawnTest(unittest.TestCase):
 
         def check_works():
             camera.wait_for_matcher()
-            frame = camera.next_frame()
-            camera.send(frame)
-            rig.check_disparity(self, listener.wait_for(frame.left.header.stamp))
+            message, = rig.match_first(camera, [listener])
+            rig.check_disparity(self, message)
+
+        def manager():
+            return rig.process_of(rig.node_like("/stereo_sgmp_manager"))
         self.start()
         check_works()
-        os.kill(rig.process_of(rig.node_like("/stereo_sgmp_manager")), signal.SIGKILL)
-        camera.wait_for_matcher(connected=False)
+        killed = manager()
+        os.kill(killed, signal.SIGKILL)
         check_works()
+        self.assertNotEqual(manager(), killed)
 
 
 if __name__ == "__main__":

@@ -155,21 +155,33 @@ class Listener:
             self._arrived.notify_all()
 
     def wait_for(self, stamp):
-        with self._arrived:
-            if not self._arrived.wait_for(lambda: stamp in self._messages, TIMEOUT):
-                raise AssertionError("no message on %s for %s" % (self._topic, stamp))
-            return self._messages[stamp]
+        if not self.has(stamp, TIMEOUT):
+            raise AssertionError("no message on %s for %s" % (self._topic, stamp))
+        return self._messages[stamp]
 
-    def wait_for_publisher(self):
-        wait_until(lambda: self._subscriber.get_num_connections() > 0,
-                   "nobody publishes %s" % self._topic)
-
-    def has(self, stamp):
+    def has(self, stamp, within=0.0):
         with self._arrived:
-            return stamp in self._messages
+            return self._arrived.wait_for(lambda: stamp in self._messages, within)
 
     def close(self):
         self._subscriber.unregister()
+
+
+def match_first(camera, listeners, make_frame=None):
+    """Sends frames until one comes through to all listeners, and returns what they have of the
+    last. Connections are made in no certain order, and one that ended is noticed late: as with any
+    camera, the first frames may be lost. From then on, none is."""
+    sent = []
+
+    def comes_through():
+        frame = make_frame() if make_frame else camera.next_frame()
+        sent.append(frame.left.header.stamp)
+        camera.send(frame)
+        for listener in listeners:
+            listener.has(sent[-1], within=0.2)
+        return any(all(listener.has(stamp) for listener in listeners) for stamp in sent)
+    wait_until(comes_through, "no frame comes through")
+    return [listener.wait_for(sent[-1]) for listener in listeners]
 
 
 class LogListener:
@@ -186,6 +198,10 @@ class LogListener:
             self._texts.append(message.msg)
             self._arrived.notify_all()
 
+    def wait_for_node(self, node):
+        """Until nothing is missed of what the node says."""
+        wait_until(lambda: is_sent_to_us(node, "/rosout"), "%s does not log" % node)
+
     def count(self):
         with self._arrived:
             return len(self._texts)
@@ -195,12 +211,24 @@ class LogListener:
         with self._arrived:
             return self._texts[count:]
 
-    def wait_for(self, part):
-        def said():
-            return any(part in text for text in self._texts)
+    def has(self, part):
         with self._arrived:
-            if not self._arrived.wait_for(said, TIMEOUT):
+            return any(part in text for text in self._texts)
+
+    def wait_for(self, part):
+        with self._arrived:
+            if not self._arrived.wait_for(lambda: self.has(part), TIMEOUT):
                 raise AssertionError("nobody said '%s' but %s" % (part, self._texts[-5:]))
+
+
+def is_sent_to_us(node, topic):
+    """Whether what the node publishes on the topic comes to this process."""
+    try:
+        address = rosgraph.Master(rospy.get_name()).lookupNode(node)
+    except rosgraph.MasterError:
+        return False
+    links = xmlrpc.client.ServerProxy(address).getBusInfo(rospy.get_name())[2]
+    return any(link[1:5] == [rospy.get_name(), "o", "TCPROS", topic] for link in links)
 
 
 def node_like(beginning):
