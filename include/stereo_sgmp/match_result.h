@@ -60,6 +60,7 @@ struct MatchStatistics {
   // Wall time of each stage, in order; they sum to frame_ms. Costs that are prepared while planes
   // are found add nothing to it.
   std::vector<StageTime> stages;
+  int searched_disparities = 0;           // num_disparities, or fewer with Options::narrow_range
   int planes = 0;                         // number of plane hypotheses
   double density = 0.0;                   // share of the pixels that are valid, 0..1
   int reasons[kInvalidReasonCount] = {};  // pixels per InvalidReason

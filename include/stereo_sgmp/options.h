@@ -116,6 +116,7 @@ struct FilterOptions {
 struct Options {
   int min_disparity = 0;
   int num_disparities = 128;
+  bool narrow_range = true;
   int threads = 0;
   int memory_limit = 0;
   bool pin_threads = false;

@@ -16,6 +16,7 @@
 #include "matcher/memory.h"
 #include "matcher/path_unit.h"
 #include "matcher/prior_stage.h"
+#include "matcher/seen_range.h"
 #include "matcher/stage_clock.h"
 #include "stereo_sgmp/option_fields.h"
 
@@ -33,6 +34,25 @@ void CheckRange(const Options& options, cv::Size size) {
 // For planes, or for the radiometric fit of the mixed cost.
 bool NeedsCoarsePass(const Options& options) {
   return options.prior.variant != Variant::kSgm || options.cost.kind == CostKind::kMixed;
+}
+
+// Whether the disparities that the coarse pass sees are all that is searched: not where costs or a
+// prior are given, which may know of others.
+bool SearchesSeenRange(const Options& options, const MatchInputs& inputs) {
+  if (!options.narrow_range || !NeedsCoarsePass(options) || inputs.costs != nullptr) return false;
+  switch (options.prior.variant) {
+    case Variant::kSgm:
+    case Variant::kEpi:
+    case Variant::kEpv:
+    case Variant::kMw:
+      return true;
+    case Variant::kGs:
+    case Variant::kGp:
+    case Variant::kGni:
+    case Variant::kGnv:
+      return false;
+  }
+  return false;
 }
 
 // Whether one thread prepares the costs in about the time that others find planes in. Those of NCC
@@ -63,8 +83,7 @@ class Matcher::Impl {
     const cv::Size size = images_.size();
     CheckRange(options_, size);
     CheckInputs(options_.prior.variant, inputs, size);
-    const VolumeShape shape{size.width, size.height, options_.num_disparities,
-                            options_.min_disparity};
+    VolumeShape shape{size.width, size.height, options_.num_disparities, options_.min_disparity};
     std::optional<VolumeCost> given_costs;
     if (inputs.costs != nullptr)
       given_costs.emplace(*inputs.costs, shape, PathUnit(options_, true));
@@ -76,6 +95,10 @@ class Matcher::Impl {
     clock.Mark("alignment");
 
     if (NeedsCoarsePass(options_)) coarse_.Run(options_, images_, pool_.get());
+    if (SearchesSeenRange(options_, inputs)) {
+      shape = seen_range_.Find(coarse_.disparity(), shape, pool_.get());
+    }
+    result->statistics.searched_disparities = shape.disparities;
     clock.Mark("coarse pass");
     const CostRows* costs = given_costs ? &*given_costs : nullptr;
     const std::function<void()> prepare_costs = [&] { costs = &PrepareCosts(shape, &one_thread_); };
@@ -90,7 +113,7 @@ class Matcher::Impl {
     clock.Mark("cost");
     const cv::Mat& guide =
         options_.aggregation.color_guide ? images_.left_color() : images_.left_gray();
-    aggregator_.Run(*costs, guide, options_.aggregation, prior, StripRows(options_, size, inputs),
+    aggregator_.Run(*costs, guide, options_.aggregation, prior, StripRows(options_, shape, inputs),
                     pool_.get(), &winners_);
     clock.Mark("aggregation");
     refiner_.Run(winners_, images_.left_color(), options_, pool_.get(), result);
@@ -126,6 +149,7 @@ class Matcher::Impl {
   RigAlignment alignment_;
   cv::Mat warped_;
   CoarsePass coarse_;
+  SeenRange seen_range_;
   PriorStage prior_;
   CostComputer costs_;
   Aggregator aggregator_;

@@ -108,22 +108,22 @@ std::size_t MemoryBesides(const Options& options, cv::Size image_size, const Mat
 
 }  // namespace
 
-int StripRows(const Options& options, cv::Size image_size, const MatchInputs& inputs) {
+int StripRows(const Options& options, const VolumeShape& searched, const MatchInputs& inputs) {
   if (options.memory_limit == 0) return 0;
   const auto limit = static_cast<std::size_t>(options.memory_limit * kMegabyte);
-  const std::size_t besides = MemoryBesides(options, image_size, inputs);
-  return Aggregator::StripRows(FullShape(options, image_size), options.aggregation,
+  const std::size_t besides =
+      MemoryBesides(options, cv::Size(searched.width, searched.height), inputs);
+  return Aggregator::StripRows(searched, options.aggregation,
                                PathUnit(options, inputs.costs != nullptr),
                                ThreadPool::Count(options.threads),
                                limit > besides ? limit - besides : 0);
 }
 
 std::size_t EstimateMemory(const Options& options, cv::Size image_size, const MatchInputs& inputs) {
+  const VolumeShape full = FullShape(options, image_size);
   return MemoryBesides(options, image_size, inputs) +
-         Aggregator::Memory(FullShape(options, image_size), options.aggregation,
-                            PathUnit(options, inputs.costs != nullptr),
-                            ThreadPool::Count(options.threads),
-                            StripRows(options, image_size, inputs));
+         Aggregator::Memory(full, options.aggregation, PathUnit(options, inputs.costs != nullptr),
+                            ThreadPool::Count(options.threads), StripRows(options, full, inputs));
 }
 
 namespace {

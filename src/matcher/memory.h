@@ -5,6 +5,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "cost/cost_rows.h"
 #include "stereo_sgmp/match_inputs.h"
 #include "stereo_sgmp/options.h"
 
@@ -16,9 +17,9 @@ namespace stereo_sgmp {
 void CheckMemory(const Options& options, cv::Size image_size, const MatchInputs& inputs,
                  std::size_t held);
 
-// Rows that the aggregation holds at a time (RowStrips) for a Matcher to keep to
-// Options::memory_limit; 0: all. As few as need the least memory where nothing keeps to it.
-int StripRows(const Options& options, cv::Size image_size, const MatchInputs& inputs);
+// Rows of the volume `searched` that the aggregation holds at a time (RowStrips) for a Matcher to
+// keep to Options::memory_limit; 0: all. As few as need the least memory where nothing keeps to it.
+int StripRows(const Options& options, const VolumeShape& searched, const MatchInputs& inputs);
 
 }  // namespace stereo_sgmp
 

@@ -22,6 +22,7 @@ Options Quality() {
 // Section 4 of the paper; what it leaves open is set as the reproduction measured best.
 Options Paper() {
   Options options;
+  options.narrow_range = false;
   options.cost.kind = CostKind::kNcc;
   options.cost.ncc_epsilon = 1.0;
   options.cost.vertical_tolerance = true;

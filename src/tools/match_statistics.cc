@@ -82,6 +82,7 @@ std::string StatisticsJson(const std::vector<MatchStatistics>& frames, const Pla
   json.Value("peak_rss_mb", PeakMegabytes());
   json.Value("variant", NameOf(priors.variant));
   json.Value("variant_note", priors.note);
+  json.Value("searched_disparities", last.searched_disparities);
   json.Value("planes", last.planes);
   json.Value("density", last.density);
   json.BeginObject("reasons");

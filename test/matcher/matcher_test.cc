@@ -126,6 +126,36 @@ TEST(MatcherTest, NothingWorksBetweenFrames) {
   EXPECT_LT(std::clock() - before, CLOCKS_PER_SEC / 100);
 }
 
+double ShareOfErrors(const cv::Mat& disparity, const cv::Mat& truth) {
+  const cv::Mat wrong = cv::abs(disparity - truth) > 1.0;
+  return cv::countNonZero(wrong) / static_cast<double>(wrong.total());
+}
+
+TEST(MatcherTest, SearchesNoFurtherThanTheSceneComes) {
+  const GeneratedScene scene = MakeScene(SceneKind::kCurved, {320, 240}, 60, {}, 3);
+  Options options;
+  options.num_disparities = 192;
+  const MatchResult narrow = MatchOnce(options, scene.left, scene.right);
+  EXPECT_EQ(narrow.statistics.searched_disparities, 64);
+  options.narrow_range = false;
+  const MatchResult full = MatchOnce(options, scene.left, scene.right);
+  EXPECT_EQ(full.statistics.searched_disparities, 192);
+  EXPECT_LE(ShareOfErrors(narrow.dense, scene.disparity),
+            1.01 * ShareOfErrors(full.dense, scene.disparity));
+}
+
+// What is given may know of surfaces that the coarse pass does not see.
+TEST(MatcherTest, SearchesTheWholeRangeWithAGivenSurface) {
+  const GeneratedScene scene = SmallRoom();
+  Options options;
+  options.prior.variant = Variant::kGs;
+  MatchInputs inputs;
+  inputs.surface = scene.disparity;
+  MatchResult result;
+  Matcher(options).Match(scene.left, scene.right, inputs, &result);
+  EXPECT_EQ(result.statistics.searched_disparities, 128);
+}
+
 TEST(MatcherTest, StatisticsDescribeTheResult) {
   const GeneratedScene scene = SmallRoom();
   const MatchResult result = MatchOnce(SmallOptions(), scene.left, scene.right);
