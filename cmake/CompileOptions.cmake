@@ -18,7 +18,12 @@ endif()
 if(STEREO_SGMP_WARNINGS_AS_ERRORS)
   target_compile_options(stereo_sgmp_compile_options INTERFACE -Werror)
 endif()
+# Of the programs around the library, which does the work: to optimize them with sanitizers takes
+# three times as long as to compile them, and more than it saves when they run.
+add_library(stereo_sgmp_program_options INTERFACE)
+target_link_libraries(stereo_sgmp_program_options INTERFACE stereo_sgmp_compile_options)
 if(STEREO_SGMP_SANITIZE)
+  target_compile_options(stereo_sgmp_program_options INTERFACE -O0)
   add_compile_options(-fsanitize=${STEREO_SGMP_SANITIZE} -fno-omit-frame-pointer
                       -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${STEREO_SGMP_SANITIZE})
