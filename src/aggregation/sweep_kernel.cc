@@ -59,10 +59,10 @@ void First(const SweepStretch<T>& s) {
       });
 }
 
-template <class T, int kPaths>
+template <class T, int kPaths, int kVectors>
 void States(const SweepStretch<T>& s) {
-  const PixelShape<T, kAnyVectors> shape(s.disparities, s.all_disparities);
-  ForEachPixel<T, kPaths, kAnyVectors>(
+  const PixelShape<T, kVectors> shape(s.disparities, s.all_disparities);
+  ForEachPixel<T, kPaths, kVectors>(
       s, shape, [](std::ptrdiff_t, const Lanes<T>*, int) STEREO_SGMP_INLINE_ATTR {});
 }
 
@@ -196,7 +196,7 @@ template <class T, int kPaths, int kVectors>
 void SweepVectors(const SweepStretch<T>& s) {
   switch (s.kind) {
     case SweepKind::kStates:
-      return States<T, kPaths>(s);
+      return States<T, kPaths, kVectors>(s);
     case SweepKind::kFirst:
       return First<T, kPaths, kVectors>(s);
     case SweepKind::kSharpen:
