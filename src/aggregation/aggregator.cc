@@ -179,8 +179,8 @@ int Aggregator::StripRows(const VolumeShape& shape, const AggregationOptions& op
                           int threads, std::size_t limit) {
   const auto memory = [&](int rows) { return Memory(shape, options, unit, threads, rows); };
   if (memory(0) <= limit) return 0;
-  // Fewer, higher strips need more for S and less for the messages between strips. All of more
-  // than one strip take the same time: the highest that fit are right.
+  // Higher strips need more for S and less for the messages between strips, and repeat less: the
+  // highest that fit are right.
   int best = 1;
   for (int rows = 1; rows < shape.height; ++rows) {
     if (memory(rows) <= limit || memory(rows) < memory(best)) best = rows;
