@@ -100,10 +100,11 @@ void VisitOptions(OptionsT& o, Visitor&& visit) {
                     "grow with it.",
                     1, 2048},
         o.num_disparities);
-  visit(OptionField{"narrow_range", "",
-                    "Search only the part of the range in which the coarse pass sees something: "
-                    "off where things too thin for it come nearer than all others."},
-        o.narrow_range);
+  visit(
+      OptionField{"narrow_range", "",
+                  "End the search where the surfaces of the coarse pass end; off where things too "
+                  "thin for it come nearer than all others."},
+      o.narrow_range);
   visit(OptionField{"threads", "",
                     "Threads that match one frame; 0 takes the cores that the process may run on.",
                     0, 256},

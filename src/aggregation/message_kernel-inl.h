@@ -66,8 +66,8 @@ HWY_INLINE Lanes<T> LoadCosts(const std::uint8_t* cost) {
   }
 }
 
-// Sends the message of the path costs `l`, of which the least is `smallest`. That is taken off last:
-// the steps between disparities need not wait for it.
+// Sends the message of the path costs `l`, of which the least is `smallest`. That is taken off
+// last: the steps between disparities need not wait for it.
 template <class T, int kVectors>
 HWY_INLINE void Send(const PixelShape<T, kVectors>& shape, const Lanes<T>* l, Lanes<T> smallest,
                      Lanes<T> p1, T* sent) {

@@ -8,8 +8,8 @@ namespace stereo_sgmp {
 // The rows of a volume in strips, whose S is held one at a time. The forward messages between
 // strips are computed first and kept; from the last strip to the first, the forward sweep of a
 // strip is then repeated and the backward sweep goes on through it; that of the last strip is not
-// repeated. So the first strip is the one that may have fewer rows than the others. Many strips cost
-// half as many path evaluations again; the result is the same.
+// repeated. So the first strip is the one that may have fewer rows than the others. Many strips
+// cost half as many path evaluations again; the result is the same.
 class RowStrips {
  public:
   // `rows` of a strip; 0: one strip of all rows.

@@ -2,6 +2,7 @@
 #ifndef HWY_WANT_AVX3_DL
 #define HWY_WANT_AVX3_DL
 #endif
+
 #include "aggregation/sweep_kernel.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -113,10 +113,9 @@ int StripRows(const Options& options, const VolumeShape& searched, const MatchIn
   const auto limit = static_cast<std::size_t>(options.memory_limit * kMegabyte);
   const std::size_t besides =
       MemoryBesides(options, cv::Size(searched.width, searched.height), inputs);
-  return Aggregator::StripRows(searched, options.aggregation,
-                               PathUnit(options, inputs.costs != nullptr),
-                               ThreadPool::Count(options.threads),
-                               limit > besides ? limit - besides : 0);
+  return Aggregator::StripRows(
+      searched, options.aggregation, PathUnit(options, inputs.costs != nullptr),
+      ThreadPool::Count(options.threads), limit > besides ? limit - besides : 0);
 }
 
 std::size_t EstimateMemory(const Options& options, cv::Size image_size, const MatchInputs& inputs) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace stereo_sgmp {
 namespace {
@@ -17,9 +18,12 @@ constexpr double kLargestStep = 1.0;
 // resolution.
 constexpr float kMargin = 1.0F;
 
-// The largest of the pixels without a reason; 0 if there are none.
+// Where surfaces fill less of the image, the coarse pass does not know what there is.
+constexpr double kFewestSurfaces = 0.5;
+
+// The largest of the pixels without a reason, of which there have to be some.
 float FindLargest(const cv::Mat& disparity, const cv::Mat& reason) {
-  float largest = 0.0F;
+  float largest = std::numeric_limits<float>::lowest();
   for (int y = 0; y < disparity.rows; ++y) {
     const float* row = disparity.ptr<float>(y);
     const std::uint8_t* reasons = reason.ptr(y);
@@ -39,6 +43,8 @@ VolumeShape SeenRange::Find(const cv::Mat& coarse, const VolumeShape& full, Thre
   reason_.setTo(0);
   speckle_.Mark(coarse, static_cast<int>(kSmallestSurface * static_cast<double>(coarse.total())),
                 kLargestStep, &reason_, pool);
+  const double surfaces = static_cast<double>(coarse.total()) - cv::countNonZero(reason_);
+  if (surfaces < kFewestSurfaces * static_cast<double>(coarse.total())) return full;
   const double scale = static_cast<double>(full.width) / coarse.cols;
   const float nearest = FindLargest(coarse, reason_) + kMargin;
   const int last = static_cast<int>(std::ceil(static_cast<double>(nearest) * scale));

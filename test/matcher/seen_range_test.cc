@@ -45,6 +45,18 @@ TEST_F(SeenRangeTest, KeepsASmallSurfaceThatComesNear) {
   EXPECT_EQ(Find(coarse, FullShape(256)), 64);
 }
 
+TEST_F(SeenRangeTest, KeepsTheRangeWhereLittleIsCertain) {
+  cv::Mat coarse = Wall();
+  for (int y = 0; y < coarse.rows; y += 2) {
+    for (int x = 0; x < coarse.cols; ++x) coarse.at<float>(y, x) = x % 2 == 0 ? 10.0F : 30.0F;
+  }
+  EXPECT_EQ(Find(coarse, FullShape(256)), 64);  // the rows between are surfaces
+  coarse.row(1).copyTo(coarse.row(2));
+  coarse.row(0).copyTo(coarse.row(1));
+  coarse.row(0).copyTo(coarse.row(3));
+  EXPECT_EQ(Find(coarse, FullShape(256)), 256);
+}
+
 TEST_F(SeenRangeTest, LeavesAMarginOfOneCoarsePixel) {
   EXPECT_EQ(Find(cv::Mat(kCoarse, CV_32F, cv::Scalar(30.5)), FullShape(256)), 64);
   EXPECT_EQ(Find(cv::Mat(kCoarse, CV_32F, cv::Scalar(31.0)), FullShape(256)), 128);
