@@ -131,10 +131,19 @@ double ShareOfErrors(const cv::Mat& disparity, const cv::Mat& truth) {
   return cv::countNonZero(wrong) / static_cast<double>(wrong.total());
 }
 
-TEST(MatcherTest, SearchesNoFurtherThanTheSceneComes) {
-  const GeneratedScene scene = MakeScene(SceneKind::kCurved, {320, 240}, 60, {}, 3);
+// Its surfaces end below 60 of the 192 disparities that WideOptions search, as the coarse pass
+// sees.
+GeneratedScene FarSurface() { return MakeScene(SceneKind::kCurved, {320, 240}, 60, {}, 3); }
+
+Options WideOptions() {
   Options options;
   options.num_disparities = 192;
+  return options;
+}
+
+TEST(MatcherTest, SearchesNoFurtherThanTheSceneComes) {
+  const GeneratedScene scene = FarSurface();
+  Options options = WideOptions();
   const MatchResult narrow = MatchOnce(options, scene.left, scene.right);
   EXPECT_EQ(narrow.statistics.searched_disparities, 64);
   options.narrow_range = false;
@@ -146,14 +155,14 @@ TEST(MatcherTest, SearchesNoFurtherThanTheSceneComes) {
 
 // What is given may know of surfaces that the coarse pass does not see.
 TEST(MatcherTest, SearchesTheWholeRangeWithAGivenSurface) {
-  const GeneratedScene scene = SmallRoom();
-  Options options;
+  const GeneratedScene scene = FarSurface();
+  Options options = WideOptions();
   options.prior.variant = Variant::kGs;
   MatchInputs inputs;
   inputs.surface = scene.disparity;
   MatchResult result;
   Matcher(options).Match(scene.left, scene.right, inputs, &result);
-  EXPECT_EQ(result.statistics.searched_disparities, 128);
+  EXPECT_EQ(result.statistics.searched_disparities, 192);
 }
 
 TEST(MatcherTest, StatisticsDescribeTheResult) {

@@ -19,6 +19,7 @@ from stereo_sgmp.msg import Priors
 
 import stereo_rig as rig
 
+
 def open_files(pid):
     return len(os.listdir("/proc/%d/fd" % pid))
 
