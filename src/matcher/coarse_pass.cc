@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "matcher/cost_keeping.h"
 #include "matcher/path_unit.h"
 #include "refinement/subpixel.h"
 
@@ -45,12 +46,16 @@ void CoarsePass::Run(const Options& options, const ImagePair& full, ThreadPool* 
   // The exposures of the two images are not known yet: absolute differences would mislead.
   RadiometricFit unknown;
   unknown.ad_weight = 0.0;
-  const CostRows& costs = costs_.Prepare(options.cost, images_.left_gray(), images_.right_gray(),
-                                         shape, unknown, PathUnit(options, false), pool);
+  const CostRows* costs = &costs_.Prepare(options.cost, images_.left_gray(), images_.right_gray(),
+                                          shape, unknown, PathUnit(options, false), pool);
+  if (KeepsCosts(options, shape)) {
+    kept_costs_.Start(*costs);
+    costs = &kept_costs_;
+  }
   AggregationOptions aggregation = options.aggregation;
   aggregation.scheme = PathScheme::kEight;
   const cv::Mat& guide = aggregation.color_guide ? images_.left_color() : images_.left_gray();
-  aggregator_.Run(costs, guide, aggregation, PathPrior(), 0, pool, &winners_);
+  aggregator_.Run(*costs, guide, aggregation, PathPrior(), 0, pool, &winners_);
   RefineSubpixel(winners_, Subpixel::kParabola, &disparity_, pool);
   confident_.Select(winners_.uncertainty, disparity_, winners_.right_winner, shape.min_disparity,
                     options.prior.keep_quantile, pool);

@@ -9,6 +9,7 @@
 #include "aggregation/winner_map.h"
 #include "common/thread_pool.h"
 #include "cost/cost_computer.h"
+#include "cost/kept_costs.h"
 #include "cost/radiometric_fit.h"
 #include "images/image_pair.h"
 #include "prior/confident_pixels.h"
@@ -35,6 +36,7 @@ class CoarsePass {
  private:
   ImagePair images_;
   CostComputer costs_;
+  KeptCosts kept_costs_;
   Aggregator aggregator_;
   WinnerMap winners_;
   cv::Mat disparity_;

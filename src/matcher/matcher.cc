@@ -9,9 +9,11 @@
 #include "alignment/rig_alignment.h"
 #include "alignment/warp_rows.h"
 #include "cost/cost_computer.h"
+#include "cost/kept_costs.h"
 #include "cost/volume_cost.h"
 #include "images/image_pair.h"
 #include "matcher/coarse_pass.h"
+#include "matcher/cost_keeping.h"
 #include "matcher/disparity_refiner.h"
 #include "matcher/memory.h"
 #include "matcher/path_unit.h"
@@ -101,7 +103,10 @@ class Matcher::Impl {
     result->statistics.searched_disparities = shape.disparities;
     clock.Mark("coarse pass");
     const CostRows* costs = given_costs ? &*given_costs : nullptr;
-    const std::function<void()> prepare_costs = [&] { costs = &PrepareCosts(shape, &one_thread_); };
+    const SideWork prepare_costs = [&](const std::function<bool()>& have_planes) {
+      costs = &PrepareCosts(shape, &one_thread_);
+      if (costs == &kept_costs_) kept_costs_.ComputeAhead(have_planes);
+    };
     const bool beside = costs == nullptr && IsPreparedFast(options_.cost.kind);
     const PathPrior prior =
         prior_.Make(options_.prior, inputs, images_, coarse_, shape, pool_.get(),
@@ -136,9 +141,12 @@ class Matcher::Impl {
   }
 
   const CostRows& PrepareCosts(const VolumeShape& shape, ThreadPool* pool) {
-    return costs_.Prepare(options_.cost, images_.left_gray(), images_.right_gray(), shape,
-                          coarse_.FitRadiometry(options_.cost.kind), PathUnit(options_, false),
-                          pool);
+    const CostRows& costs =
+        costs_.Prepare(options_.cost, images_.left_gray(), images_.right_gray(), shape,
+                       coarse_.FitRadiometry(options_.cost.kind), PathUnit(options_, false), pool);
+    if (!KeepsCosts(options_, shape)) return costs;
+    kept_costs_.Start(costs);
+    return kept_costs_;
   }
 
   Options options_;
@@ -152,6 +160,7 @@ class Matcher::Impl {
   SeenRange seen_range_;
   PriorStage prior_;
   CostComputer costs_;
+  KeptCosts kept_costs_;
   Aggregator aggregator_;
   WinnerMap winners_;
   DisparityRefiner refiner_;

@@ -11,6 +11,7 @@
 #include "common/thread_pool.h"
 #include "cost/cost_computer.h"
 #include "matcher/coarse_pass.h"
+#include "matcher/cost_keeping.h"
 #include "matcher/path_unit.h"
 #include "refinement/plane_propagation.h"
 #include "stereo_sgmp/matcher.h"
@@ -98,8 +99,12 @@ std::size_t MemoryBesides(const Options& options, cv::Size image_size, const Mat
   const VolumeShape coarse = CoarsePass::Shape(options, image_size);
   AggregationOptions aggregation = options.aggregation;
   aggregation.scheme = PathScheme::kEight;
-  const std::size_t costs = inputs.costs != nullptr ? 0 : CostMemory(options.cost, full);
-  return costs + CostMemory(options.cost, coarse) +
+  const auto costs_of = [&](const VolumeShape& shape) {
+    const std::size_t kept = KeepsCosts(options, shape) ? shape.PaddedSize() : 0;
+    return CostMemory(options.cost, shape) + kept;
+  };
+  const std::size_t costs = inputs.costs != nullptr ? 0 : costs_of(full);
+  return costs + costs_of(coarse) +
          Aggregator::Memory(coarse, aggregation, PathUnit(options, false),
                             ThreadPool::Count(options.threads), 0) +
          PriorMemory(options.prior.variant, full, coarse) +

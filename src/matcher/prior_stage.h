@@ -33,21 +33,20 @@ class PriorStage {
   // not; it may be empty.
   PathPrior Make(const PriorOptions& options, const MatchInputs& inputs, const ImagePair& images,
                  const CoarsePass& coarse, const VolumeShape& shape, ThreadPool* pool,
-                 const std::function<void()>& beside, PlanePriors* report);
+                 const SideWork& beside, PlanePriors* report);
 
  private:
   PathPrior FromPlanes(const PriorOptions& options, const CoarseDisparity& coarse,
                        const cv::Mat& coarse_left, const VolumeShape& shape, ThreadPool* pool,
-                       const std::function<void()>& beside, PlanePriors* report);
+                       const SideWork& beside, PlanePriors* report);
   PathPrior FromSurface(const cv::Mat& surface, const VolumeShape& shape);
   PathPrior FromPlanesOfSurface(PriorOptions options, const cv::Mat& surface,
                                 const CoarsePass& coarse, const VolumeShape& shape,
-                                ThreadPool* pool, const std::function<void()>& beside,
-                                PlanePriors* report);
+                                ThreadPool* pool, const SideWork& beside, PlanePriors* report);
   PathPrior FromManhattanWorld(const PriorOptions& options, const StereoCamera& camera,
                                const ImagePair& images, const CoarsePass& coarse,
-                               const VolumeShape& shape, ThreadPool* pool,
-                               const std::function<void()>& beside, PlanePriors* report);
+                               const VolumeShape& shape, ThreadPool* pool, const SideWork& beside,
+                               PlanePriors* report);
 
   EstimatedPrior estimated_;
   SurfacePrior surface_;

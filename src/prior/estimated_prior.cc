@@ -1,5 +1,6 @@
 #include "prior/estimated_prior.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -23,6 +24,12 @@ void SetsOfLabels(const cv::Mat& labels, std::size_t planes, PlaneSets* sets) {
   labels.convertTo(sets->ids, CV_16U, 1.0, 1.0);
 }
 
+// None where there is nothing to do beside.
+ThreadPool::Job SideJob(const SideWork& beside, const std::atomic<bool>& have_planes) {
+  if (!beside) return {};
+  return {[&] { beside([&] { return have_planes.load(); }); }, {}};
+}
+
 // Those that are not empty; in their order where there are no threads.
 void RunJobs(std::vector<ThreadPool::Job> jobs, ThreadPool* threads) {
   for (ThreadPool::Job& job : jobs) {
@@ -41,7 +48,7 @@ const OrientationPrior* EstimatedPrior::Estimate(const PriorOptions& options,
                                                  const CoarseDisparity& coarse,
                                                  const cv::Mat& coarse_left,
                                                  const VolumeShape& full, ThreadPool* threads,
-                                                 const std::function<void()>& beside) {
+                                                 const SideWork& beside) {
   report_.planes.clear();
   if (options.variant == Variant::kSgm) {
     report_.labels.release();
@@ -55,8 +62,10 @@ const OrientationPrior* EstimatedPrior::Estimate(const PriorOptions& options,
   return steering_.attracting();
 }
 
-void EstimatedPrior::FindPlanes(const PriorOptions& options, const CoarseDisparity& coarse) {
+void EstimatedPrior::FindPlanes(const PriorOptions& options, const CoarseDisparity& coarse,
+                                std::atomic<bool>* have_planes) {
   hypotheses_.Find(coarse, SmallestPlane(options, coarse.disparity.size()), nullptr);
+  *have_planes = true;
 }
 
 void EstimatedPrior::ScaleUp(const CoarseScale& scale) {
@@ -71,8 +80,10 @@ const PlaneSets& EstimatedPrior::SpreadOverSuperpixels(const PriorOptions& optio
                                                        const CoarseDisparity& coarse,
                                                        const cv::Mat& coarse_left,
                                                        ThreadPool* threads,
-                                                       const std::function<void()>& beside) {
-  RunJobs({{[&] { FindPlanes(options, coarse); }, {}}, {beside, {}}}, threads);
+                                                       const SideWork& beside) {
+  std::atomic<bool> have_planes{false};
+  RunJobs({{[&] { FindPlanes(options, coarse, &have_planes); }, {}}, SideJob(beside, have_planes)},
+          threads);
   superpixels_.Segment(coarse_left, options.superpixel_size, kCompactness, threads);
   modal_.Assign(hypotheses_.map(), superpixels_, options.min_support);
   modal_.labels().copyTo(report_.labels);
@@ -89,10 +100,11 @@ const PlaneSets& EstimatedPrior::SpreadOverSuperpixels(const PriorOptions& optio
 const PlaneSets& EstimatedPrior::SpreadOverHulls(const PriorOptions& options,
                                                  const CoarseDisparity& coarse,
                                                  const cv::Mat& coarse_left, ThreadPool* threads,
-                                                 const std::function<void()>& beside) {
+                                                 const SideWork& beside) {
   constexpr std::size_t kFind = 0;
-  std::vector<ThreadPool::Job> jobs = {{[&] { FindPlanes(options, coarse); }, {}},
-                                       {beside, {}},
+  std::atomic<bool> have_planes{false};
+  std::vector<ThreadPool::Job> jobs = {{[&] { FindPlanes(options, coarse, &have_planes); }, {}},
+                                       SideJob(beside, have_planes),
                                        {[&] { hulls_.Build(hypotheses_.map()); }, {kFind}}};
   if (options.spread) jobs.push_back({[&] { SpreadLabels(coarse_left); }, {kFind}});
   RunJobs(jobs, threads);

@@ -2,6 +2,7 @@
 #ifndef STEREO_SGMP_PRIOR_ESTIMATED_PRIOR_H_
 #define STEREO_SGMP_PRIOR_ESTIMATED_PRIOR_H_
 
+#include <atomic>
 #include <functional>
 #include <vector>
 
@@ -22,6 +23,10 @@
 
 namespace stereo_sgmp {
 
+// What is done on another thread while planes grow. It may go on with what can wait until the
+// function that it is given says that the planes have been found.
+using SideWork = std::function<void(const std::function<bool()>& have_planes)>;
+
 // The chain from coarse disparities to a prior at full resolution. Keeps its buffers from frame
 // to frame.
 class EstimatedPrior {
@@ -30,15 +35,15 @@ class EstimatedPrior {
   // image at the size of the coarse maps (CV_8U, 1, 3 or 4 channels; kEpi and PriorOptions::spread
   // use it), `full` the volume the prior is for. `threads` may be null. Planes grow on one thread:
   // `beside`, which must not use `threads`, is done once on another (unless the variant is kSgm),
-  // and is over on return. It may be empty.
+  // and is over on return. It may be empty; with one thread or none it is told at once that the
+  // planes have been found.
   //
   // Returns the prior, which is this object's and holds until the next call, or null where there
   // is nothing to follow: no plane was found, or the variant is kSgm.
   // Throws std::invalid_argument where sizes or types don't fit.
   const OrientationPrior* Estimate(const PriorOptions& options, const CoarseDisparity& coarse,
                                    const cv::Mat& coarse_left, const VolumeShape& full,
-                                   ThreadPool* threads,
-                                   const std::function<void()>& beside = nullptr);
+                                   ThreadPool* threads, const SideWork& beside = nullptr);
 
   // The same prior without attraction, for the second round of PathScheme::kFourTwice.
   const OrientationPrior* parallel() const { return steering_.parallel(); }
@@ -50,11 +55,12 @@ class EstimatedPrior {
   // Both find the planes.
   const PlaneSets& SpreadOverSuperpixels(const PriorOptions& options, const CoarseDisparity& coarse,
                                          const cv::Mat& coarse_left, ThreadPool* threads,
-                                         const std::function<void()>& beside);
+                                         const SideWork& beside);
   const PlaneSets& SpreadOverHulls(const PriorOptions& options, const CoarseDisparity& coarse,
                                    const cv::Mat& coarse_left, ThreadPool* threads,
-                                   const std::function<void()>& beside);
-  void FindPlanes(const PriorOptions& options, const CoarseDisparity& coarse);
+                                   const SideWork& beside);
+  void FindPlanes(const PriorOptions& options, const CoarseDisparity& coarse,
+                  std::atomic<bool>* have_planes);
   void SpreadLabels(const cv::Mat& coarse_left);
   void ScaleUp(const CoarseScale& scale);
 

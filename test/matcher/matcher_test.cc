@@ -295,6 +295,19 @@ TEST(MatcherTest, TheMemoryIsThatOfTheVariantAndOfOwnCosts) {
   EXPECT_EQ(EstimateMemory(options, size), plain + pixels * (24 + 27) + pixels / 4 * 40);
 }
 
+TEST(MatcherTest, TheMemoryHasCostsThatAreKeptBetweenSweeps) {
+  const cv::Size size(640, 480);
+  Options options;
+  options.num_disparities = 64;
+  const std::size_t kept = EstimateMemory(options, size);
+  options.cost.kind = CostKind::kCensus;  // never kept
+  const std::size_t volume = std::size_t{640} * 480 * 64;
+  EXPECT_GT(kept, EstimateMemory(options, size) + volume);
+  options.cost.kind = CostKind::kMixed;
+  options.memory_limit = 1000;
+  EXPECT_LT(EstimateMemory(options, size) + volume, kept) << "with a limit, nothing is kept";
+}
+
 TEST(MatcherTest, AnErrorLeavesTheMatcherUsable) {
   const GeneratedScene scene = SmallRoom();
   const Options options = SmallOptions();

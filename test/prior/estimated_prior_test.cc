@@ -1,7 +1,11 @@
 #include "prior/estimated_prior.h"
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -108,6 +112,33 @@ TEST_P(EstimatedPriorOf, SameForAnyThreads) {
       EXPECT_EQ(row_a.segments[i].end, row_b.segments[i].end);
       EXPECT_EQ(row_a.segments[i].jump, row_b.segments[i].jump);
     }
+  }
+}
+
+// Waits to be told, at most a minute; returns whether it was.
+bool WaitForPlanes(const std::function<bool()>& have_planes) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!have_planes() && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+  return have_planes();
+}
+
+TEST_P(EstimatedPriorOf, WhatGoesOnBesideIsToldWhenThePlanesAreFound) {
+  const Inputs inputs;
+  for (const int threads : {0, 1, 2, 3}) {
+    SCOPED_TRACE(threads);
+    std::unique_ptr<ThreadPool> pool;
+    if (threads > 0) pool = std::make_unique<ThreadPool>(threads);
+    EstimatedPrior estimated;
+    int calls = 0;
+    bool was_told = false;
+    estimated.Estimate(OptionsOf(GetParam()), inputs.Coarse(), inputs.image, FullShape(),
+                       pool.get(), [&](const std::function<bool()>& have_planes) {
+                         ++calls;
+                         was_told = WaitForPlanes(have_planes);
+                       });
+    EXPECT_EQ(calls, 1);
+    EXPECT_TRUE(was_told);
+    EXPECT_EQ(estimated.report().planes.size(), 2U);
   }
 }
 
