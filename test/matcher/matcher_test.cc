@@ -165,6 +165,21 @@ TEST(MatcherTest, SearchesTheWholeRangeWithAGivenSurface) {
   EXPECT_EQ(result.statistics.searched_disparities, 192);
 }
 
+TEST(MatcherTest, SearchesTheWholeRangeOfGivenCosts) {
+  const GeneratedScene scene = FarSurface();
+  Options options = WideOptions();
+  CostVolume volume;
+  volume.width = scene.left.cols;
+  volume.height = scene.left.rows;
+  volume.disparities = options.num_disparities;
+  volume.costs.resize(scene.left.total() * static_cast<std::size_t>(volume.disparities), 100);
+  MatchInputs inputs;
+  inputs.costs = &volume;
+  MatchResult result;
+  Matcher(options).Match(scene.left, scene.right, inputs, &result);
+  EXPECT_EQ(result.statistics.searched_disparities, 192);
+}
+
 TEST(MatcherTest, StatisticsDescribeTheResult) {
   const GeneratedScene scene = SmallRoom();
   const MatchResult result = MatchOnce(SmallOptions(), scene.left, scene.right);
