@@ -24,8 +24,7 @@ class SharpenedCosts : public CostRows {
   const VolumeShape& shape() const override { return shape_; }
   int unit() const override { return unit_; }
   const std::uint8_t* Row(int y, int x_begin, int, std::uint8_t*) const override {
-    const std::ptrdiff_t pixel = static_cast<std::ptrdiff_t>(y) * shape_.width + x_begin;
-    return volume_ + pixel * shape_.Stride();
+    return volume_ + shape_.Offset(y, x_begin);
   }
 
  private:

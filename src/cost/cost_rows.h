@@ -18,9 +18,13 @@ struct VolumeShape {
   // Disparities padded to whole SIMD vectors: the distance of two pixels in a row of costs.
   static constexpr int kPadding = 64;
   int Stride() const { return (disparities + kPadding - 1) / kPadding * kPadding; }
-  std::size_t PaddedSize() const {
-    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
-           static_cast<std::size_t>(Stride());
+  std::size_t PaddedSize() const { return Offset(height, 0); }
+
+  // Where the costs of the pixel (x, y) begin in a whole volume.
+  std::size_t Offset(int y, int x) const {
+    const std::size_t pixel =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    return pixel * static_cast<std::size_t>(Stride());
   }
 };
 

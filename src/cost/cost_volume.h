@@ -1,7 +1,6 @@
 #ifndef STEREO_SGMP_COST_COST_VOLUME_H_
 #define STEREO_SGMP_COST_COST_VOLUME_H_
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 
@@ -24,8 +23,6 @@ class StoredCost final : public CostRows {
   const std::uint8_t* Row(int y, int x_begin, int x_end, std::uint8_t* scratch) const override;
 
  private:
-  std::size_t Offset(int y, int x) const;
-
   VolumeShape shape_;
   AlignedBuffer<std::uint8_t> costs_;
 };

@@ -26,11 +26,7 @@ const std::uint8_t* KeptCosts::Row(int y, int x_begin, int x_end, std::uint8_t* 
   return Place(y, x_begin);
 }
 
-std::uint8_t* KeptCosts::Place(int y, int x) const {
-  const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(shape().width) +
-                            static_cast<std::size_t>(x);
-  return costs_.data() + pixel * static_cast<std::size_t>(shape().Stride());
-}
+std::uint8_t* KeptCosts::Place(int y, int x) const { return costs_.data() + shape().Offset(y, x); }
 
 void KeptCosts::Keep(int y, int x_begin, int x_end) const {
   std::uint8_t* place = Place(y, x_begin);

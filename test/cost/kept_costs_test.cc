@@ -27,25 +27,19 @@ class CountingCosts : public CostRows {
   int unit() const override { return 7; }
   const std::uint8_t* Row(int y, int x_begin, int x_end, std::uint8_t* scratch) const override {
     pixels[static_cast<std::size_t>(y)] += x_end - x_begin;
-    const std::uint8_t* first = stored_.data() + Offset(y, x_begin);
+    const std::uint8_t* first = stored_.data() + shape_.Offset(y, x_begin);
     if (is_stored_) return first;
-    std::copy(first, stored_.data() + Offset(y, x_end), scratch);
+    std::copy(first, stored_.data() + shape_.Offset(y, x_end), scratch);
     return scratch;
   }
 
   std::uint8_t At(int y, int x, int k) const {
-    return stored_[Offset(y, x) + static_cast<std::size_t>(k)];
+    return stored_[shape_.Offset(y, x) + static_cast<std::size_t>(k)];
   }
 
   mutable std::vector<int> pixels;
 
  private:
-  std::size_t Offset(int y, int x) const {
-    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(shape_.width) +
-            static_cast<std::size_t>(x)) *
-           static_cast<std::size_t>(shape_.Stride());
-  }
-
   VolumeShape shape_;
   bool is_stored_;
   AlignedBuffer<std::uint8_t> stored_;
@@ -92,23 +86,19 @@ TEST(KeptCostsTest, TwoSweepsComputeEachCostOnce) {
 }
 
 TEST(KeptCostsTest, WhatIsComputedAheadIsNotComputedAgain) {
-  const CountingCosts source(kShape);
-  KeptCosts kept;
-  kept.Start(source);
-  int asked = 0;
-  kept.ComputeAhead([&] { return ++asked > 2; });
-  EXPECT_EQ(source.pixels, (std::vector<int>{kShape.width, kShape.width, 0, 0, 0}));
-  ExpectBothSweeps(kept, source);
-  EXPECT_EQ(source.pixels, std::vector<int>(5, kShape.width));
-}
-
-TEST(KeptCostsTest, ComputingAheadEndsWithTheLastRow) {
-  const CountingCosts source(kShape);
-  KeptCosts kept;
-  kept.Start(source);
-  kept.ComputeAhead([] { return false; });
-  EXPECT_EQ(source.pixels, std::vector<int>(5, kShape.width));
-  ExpectBothSweeps(kept, source);
+  for (const int rows : {0, 2, 5, 9}) {
+    SCOPED_TRACE(rows);
+    const CountingCosts source(kShape);
+    KeptCosts kept;
+    kept.Start(source);
+    int asked = 0;
+    kept.ComputeAhead([&] { return asked++ == rows; });
+    std::vector<int> ahead(5, 0);
+    std::fill_n(ahead.begin(), std::min(rows, kShape.height), kShape.width);
+    EXPECT_EQ(source.pixels, ahead);
+    ExpectBothSweeps(kept, source);
+    EXPECT_EQ(source.pixels, std::vector<int>(5, kShape.width));
+  }
 }
 
 TEST(KeptCostsTest, PartsInAnyOrderAreRight) {
