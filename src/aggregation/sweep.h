@@ -60,7 +60,7 @@ class Sweep {
   // RightRow: S, and an index of two parts.
   static constexpr std::size_t kRightParts = 3;
   // Jumps are asked for this many pixels ahead, whole stretches: it pays to ask for many.
-  static constexpr int kJumpSpan = 3 * kStretch;
+  static constexpr int kJumpSpan = 16 * kStretch;
 
   // Jumps of the next pixels of one row, from the image column x_begin on.
   struct JumpSpan {

@@ -36,6 +36,9 @@ class FixedPlane {
   std::int64_t FixedAt(int x, int y) const { return a_ * x + b_ * y + c_; }
   std::int64_t FixedSlope() const { return a_; }
 
+  // Whether S^ is the same at all pixels, so that no step has a jump.
+  bool IsConstant() const { return a_ == 0 && b_ == 0; }
+
   // Along row y, from x on.
   PlaneRun RunFrom(int x, int y) const {
     const std::int64_t first = FixedAt(x, y);

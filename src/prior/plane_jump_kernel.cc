@@ -31,11 +31,15 @@ HWY_INLINE VU FractionsAt(const PlaneRun& plane, VU steps) {
 
 template <class Mask>
 HWY_INLINE std::uint64_t BitsOf(Mask mask) {
+#if HWY_TARGET <= HWY_AVX3
+  return mask.raw;
+#else
   std::uint8_t bits[8] = {};
   const std::size_t bytes = hn::StoreMaskBits(Unsigned(), mask, bits);
   std::uint64_t all = 0;
   for (std::size_t b = 0; b < bytes; ++b) all |= std::uint64_t{bits[b]} << (8 * b);
   return all;
+#endif
 }
 
 // Bit by bit, at which of `count` pixels the fraction carries on each of some steps to q.
@@ -106,7 +110,7 @@ HWY_INLINE void FindCells(const PlaneRun* planes, int plane_count, VU steps, VS 
   *end = hn::IfThenElse(hn::Ne(has_none, hn::Zero(d)), *begin, FirstNearer(own, above, all));
 }
 
-// Fills `begin` and `end` of the `count` cells that are listed.
+// Fills `begin` and `end` of the `count` cells that are listed, and takes the jumps of empty ones.
 HWY_INLINE void FindAllCells(const PlaneRuns& runs, int count, PlaneMoves* moves) {
   const Signed d;
   for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
@@ -117,6 +121,8 @@ HWY_INLINE void FindAllCells(const PlaneRuns& runs, int count, PlaneMoves* moves
               runs.disparities, &begin, &end);
     hn::StoreU(begin, d, moves->begin.data() + i);
     hn::StoreU(end, d, moves->end.data() + i);
+    const VS jump = hn::LoadU(d, moves->jump.data() + i);
+    hn::StoreU(hn::IfThenElseZero(hn::Lt(begin, end), jump), d, moves->jump.data() + i);
   }
 }
 
@@ -125,20 +131,23 @@ HWY_INLINE std::uint64_t AllBits(bool is_true) { return is_true ? ~std::uint64_t
 
 // The jumps of all planes on one step, pixel by pixel as bits.
 struct StepBits {
-  std::uint64_t jumps[PlaneSet::kMaxPlanes];  // of each plane, where it has one
+  std::uint64_t carries[PlaneSet::kMaxPlanes];  // of each plane
+  std::uint64_t jumps[PlaneSet::kMaxPlanes];    // of each plane, where it has one
   std::uint64_t any;
   std::uint64_t more;  // where more than one plane has one
   std::uint64_t all;   // where all have one
 
-  HWY_INLINE void Start(std::uint64_t pixels) {
+  // `may_be_all`: the pixels where all planes may have one.
+  HWY_INLINE void Start(std::uint64_t may_be_all) {
     any = 0;
     more = 0;
-    all = pixels;
+    all = may_be_all;
   }
 
-  HWY_INLINE void Add(int k, const PlaneStep& step, std::uint64_t carries, std::uint64_t pixels) {
-    jumps[k] = pixels & ((carries & AllBits(step.jump_with_carry != 0)) |
-                         (~carries & AllBits(step.jump != 0)));
+  HWY_INLINE void Add(int k, const PlaneStep& step, std::uint64_t carried, std::uint64_t pixels) {
+    carries[k] = carried;
+    jumps[k] = pixels & ((carried & AllBits(step.jump_with_carry != 0)) |
+                         (~carried & AllBits(step.jump != 0)));
     more |= any & jumps[k];
     any |= jumps[k];
     all &= jumps[k];
@@ -159,14 +168,18 @@ HWY_INLINE std::uint64_t FindAlike(const PlaneRuns& runs, int step, std::uint64_
 }
 
 // Lists the pixels at which a plane jumps alone. Returns the number of cells listed so far.
-HWY_INLINE int ListCells(const StepBits& bits, std::uint64_t alike, int plane_count, int cells,
-                         PlaneMoves* moves) {
-  for (int k = 0; k < plane_count; ++k) {
+HWY_INLINE int ListCells(const PlaneRuns& runs, int step, const StepBits& bits, std::uint64_t alike,
+                         int cells, PlaneMoves* moves) {
+  for (int m = 0; m < runs.moving_count; ++m) {
+    const int k = runs.moving[m];
+    const PlaneStep& jumps = runs.StepOf(step, k);
     std::uint64_t alone = bits.jumps[k] & ~(bits.more | alike);
     for (; alone != 0; alone &= alone - 1, ++cells) {
       const auto cell = static_cast<std::size_t>(cells);
-      moves->pixel[cell] = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(alone));
+      const int pixel = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(alone));
+      moves->pixel[cell] = pixel;
       moves->plane[cell] = k;
+      moves->jump[cell] = (bits.carries[k] >> pixel & 1) != 0 ? jumps.jump_with_carry : jumps.jump;
     }
   }
   return cells;
@@ -175,8 +188,11 @@ HWY_INLINE int ListCells(const StepBits& bits, std::uint64_t alike, int plane_co
 template <int kSteps>
 HWY_INLINE void FollowSteps(const PlaneRuns& runs, PlaneMoves* moves) {
   StepBits bits[kSteps];
-  for (int s = 0; s < kSteps; ++s) bits[s].Start(runs.pixels[s]);
-  for (int k = 0; k < runs.plane_count; ++k) {
+  for (int s = 0; s < kSteps; ++s) {
+    bits[s].Start(runs.moving_count == runs.plane_count ? runs.pixels[s] : 0);
+  }
+  for (int m = 0; m < runs.moving_count; ++m) {
+    const int k = runs.moving[m];
     const PlaneStep* steps[kSteps];
     for (int s = 0; s < kSteps; ++s) steps[s] = &runs.StepOf(s, k);
     std::uint64_t carries[kSteps];
@@ -187,7 +203,7 @@ HWY_INLINE void FollowSteps(const PlaneRuns& runs, PlaneMoves* moves) {
   for (int s = 0; s < kSteps; ++s) {
     const auto step = static_cast<std::size_t>(s);
     const std::uint64_t alike = FindAlike(runs, s, bits[s].all);
-    cells = ListCells(bits[s], alike, runs.plane_count, cells, moves);
+    cells = ListCells(runs, s, bits[s], alike, cells, moves);
     moves->alike[step] = alike;
     moves->several[step] = bits[s].more & ~alike;
     moves->cells_end[step] = cells;

@@ -37,8 +37,10 @@ inline constexpr int kMaxPlaneSteps = 3;
 // Planes along a run of pixels p.
 struct PlaneRuns {
   const PlaneRun* planes;
-  int plane_count;  // from one to PlaneSet::kMaxPlanes
-  int count;        // of pixels, up to kMaxPlaneRun
+  int plane_count;             // from one to PlaneSet::kMaxPlanes
+  const std::uint8_t* moving;  // those that are not constant, rising; the others never jump
+  int moving_count;
+  int count;  // of pixels, up to kMaxPlaneRun
   int disparities;
 
   const PlaneStep* const* steps;  // of each step, by the number of the plane
@@ -58,12 +60,13 @@ struct PlaneMoves {
   // differently, and more than one does.
   std::array<std::uint64_t, kMaxPlaneSteps> alike;
   std::array<std::uint64_t, kMaxPlaneSteps> several;
-  // Pixels where one plane jumps and others stay, for each step up to its cells_end: the Voronoi
-  // cell of that plane as JumpRow has it; empty where another plane stands for this one.
+  // Pixels where one plane jumps and others stay, for each step up to its cells_end: the jump and
+  // the Voronoi cell of that plane as JumpRow has it; no jump where another plane stands for it.
   std::array<int, kMaxPlaneSteps> cells_end;
   static constexpr int kMostCells = kMaxPlaneSteps * kMaxPlaneRun;
   std::array<std::int32_t, kMostCells> pixel;
   std::array<std::int32_t, kMostCells> plane;
+  std::array<std::int32_t, kMostCells> jump;
   std::array<std::int32_t, kMostCells> begin;
   std::array<std::int32_t, kMostCells> end;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -62,10 +63,8 @@ void WriteMoves(const PlaneRuns& runs, const PlaneMoves& moves, int step, int en
   }
   for (std::size_t cell = At(step > 0 ? moves.cells_end[s - 1] : 0); cell < At(moves.cells_end[s]);
        ++cell) {
-    const int i = moves.pixel[cell];
-    const int jump = runs.JumpAt(step, moves.plane[cell], i);
-    const std::size_t place = At(entry + i);
-    row->jump[place] = static_cast<std::int16_t>(moves.begin[cell] < moves.end[cell] ? jump : 0);
+    const std::size_t place = At(entry + moves.pixel[cell]);
+    row->jump[place] = static_cast<std::int16_t>(moves.jump[cell]);
     row->begin[place] = static_cast<std::int16_t>(moves.begin[cell]);
     row->end[place] = static_cast<std::int16_t>(moves.end[cell]);
   }
@@ -107,9 +106,20 @@ void PlaneSetPrior::Assign(const std::vector<DisparityPlane>& planes, const Plan
       }
     }
   }
+  FindMoving();
   MapColumns();
   MapRows();
   MapRuns();
+}
+
+void PlaneSetPrior::FindMoving() {
+  moving_.assign(sets_.sets.size(), MovingPlanes());
+  for (std::size_t i = 0; i < moving_.size(); ++i) {
+    const PlaneSet& set = sets_.sets[i];
+    for (std::uint8_t k = 0; k < set.count; ++k) {
+      if (!PlaneOf(set, k).IsConstant()) moving_[i].places[moving_[i].count++] = k;
+    }
+  }
 }
 
 void PlaneSetPrior::MapColumns() {
@@ -134,15 +144,16 @@ void PlaneSetPrior::MapRows() {
 
 void PlaneSetPrior::MapRuns() {
   const int columns = sets_.ids.cols;
-  run_end_.resize(sets_.ids.total());
+  runs_.clear();
+  runs_end_.clear();
   for (int row = 0; row < sets_.ids.rows; ++row) {
     const std::uint16_t* ids = sets_.ids.ptr<std::uint16_t>(row);
-    std::int32_t* ends = run_end_.data() + row * std::ptrdiff_t{columns};
-    int end = columns;
-    for (int column = columns - 1; column >= 0; --column) {
-      if (column + 1 < columns && ids[column] != ids[column + 1]) end = column + 1;
-      ends[column] = end;
+    for (int begin = 0, end = 0; begin < columns; begin = end) {
+      while (end < columns && ids[end] == ids[begin]) ++end;
+      const Run run{column_begin_[At(begin)], column_begin_[At(end)], ids[begin]};
+      if (moving_[run.set].count > 0 && run.begin < run.end) runs_.push_back(run);
     }
+    runs_end_.push_back(runs_.size());
   }
 }
 
@@ -168,15 +179,18 @@ void PlaneSetPrior::JumpsOfSteps(int y, int x_begin, int x_end, const PathStep* 
   }
 }
 
-// Of the pixel column x, in a row of the set image.
-const PlaneSet& PlaneSetPrior::SetAt(int x, int row) const {
-  return sets_.sets[sets_.ids.ptr<std::uint16_t>(row)[column_of_[At(x)]]];
+// The number of the set at the pixel column x, in a row of the set image.
+std::size_t PlaneSetPrior::SetAt(int x, int row) const {
+  return sets_.ids.ptr<std::uint16_t>(row)[column_of_[At(x)]];
 }
 
 // The first pixel column after x with another set.
 int PlaneSetPrior::RunEnd(int x, int row) const {
-  const std::size_t place = At(row) * At(sets_.ids.cols) + At(column_of_[At(x)]);
-  return column_begin_[At(run_end_[place])];
+  const std::uint16_t* ids = sets_.ids.ptr<std::uint16_t>(row);
+  const int column = column_of_[At(x)];
+  int next = column + 1;
+  while (next < sets_.ids.cols && ids[next] == ids[column]) ++next;
+  return column_begin_[At(next)];
 }
 
 const FixedPlane& PlaneSetPrior::PlaneOf(const PlaneSet& set, int k) const {
@@ -191,19 +205,25 @@ void PlaneSetPrior::FollowSurfaces(const Question& question) const {
     most_left = std::min(most_left, question.steps[s].dx);
     most_right = std::max(most_right, question.steps[s].dx);
   }
-  const int row = row_of_[At(question.y - question.steps[0].dy)];
+  const int begin = std::max(0, question.begin - most_right);
   const int end = std::min(shape_.width, question.end - most_left);
-  int x_end = 0;
-  for (int x = std::max(0, question.begin - most_right); x < end; x = x_end) {
-    x_end = std::min({end, x + kMaxPlaneRun, RunEnd(x, row)});
-    const PlaneSet& set = SetAt(x, row);
-    if (set.count > 0) FollowRun(question, set, x, x_end - x);
+  const std::size_t row = At(row_of_[At(question.y - question.steps[0].dy)]);
+  const Run* const last = runs_.data() + runs_end_[row];
+  const Run* run = runs_.data() + (row > 0 ? runs_end_[row - 1] : 0);
+  for (; run != last && run->begin < end; ++run) {
+    const int run_end = std::min(end, run->end);
+    for (int x = std::max(begin, run->begin); x < run_end; x += kMaxPlaneRun) {
+      FollowRun(question, run->set, x, std::min(kMaxPlaneRun, run_end - x));
+    }
   }
 }
 
-// The planes of a set along `count` pixels p, followed to those q that are asked for.
-void PlaneSetPrior::FollowRun(const Question& question, const PlaneSet& set, int x_p,
+// The planes of a set, not all of them constant, along `count` pixels p, followed to those q that
+// are asked for.
+void PlaneSetPrior::FollowRun(const Question& question, std::size_t set_id, int x_p,
                               int count) const {
+  const PlaneSet& set = sets_.sets[set_id];
+  const MovingPlanes& moving = moving_[set_id];
   // Set as far as they are read; clearing them would take longer than all else here.
   std::array<PlaneRun, PlaneSet::kMaxPlanes> planes;   // NOLINT(*-member-init)
   std::array<const PlaneStep*, kMaxPlaneSteps> steps;  // NOLINT(*-member-init)
@@ -218,16 +238,17 @@ void PlaneSetPrior::FollowRun(const Question& question, const PlaneSet& set, int
     pixels[At(s)] = BitsFrom(std::max(question.begin, 0) - shift,
                              std::min(question.end, shape_.width) - shift, count);
   }
-  const PlaneRuns runs{planes.data(),       set.count,    count,
-                       shape_.disparities,  steps.data(), set.planes.data(),
-                       question.step_count, pixels.data()};
+  const PlaneRuns runs{
+      planes.data(),      set.count,    moving.places.data(), moving.count,        count,
+      shape_.disparities, steps.data(), set.planes.data(),    question.step_count, pixels.data()};
   FollowPlaneRuns(runs, &moves);
+  std::optional<PlaneColumns> columns;
   for (int s = 0; s < question.step_count; ++s) {
     const int entry = x_p + question.steps[s].dx - question.first_x;
     WriteMoves(runs, moves, s, entry, question.rows + s);
     if (moves.several[At(s)] == 0) continue;
-    PlaneColumns columns(planes_, set, x_p, y_p);
-    WriteSeveral(runs, moves.several[At(s)], s, entry, &columns, question.rows + s);
+    if (!columns) columns.emplace(planes_, set, x_p, y_p);
+    WriteSeveral(runs, moves.several[At(s)], s, entry, &*columns, question.rows + s);
   }
 }
 
@@ -244,10 +265,12 @@ void PlaneSetPrior::FollowLabels(const Question& question) const {
     const int x_p = part.begin - step.dx;
     part.end = std::min(
         {end, part.begin + kMaxPlaneRun, RunEnd(x_p, row_p) + step.dx, RunEnd(part.begin, row_q)});
-    const PlaneSet& at_p = SetAt(x_p, row_p);
-    const PlaneSet& at_q = SetAt(part.begin, row_q);
-    if (at_p.count == 1 && &at_p == &at_q) {
-      FollowRun(part, at_p, x_p, part.end - part.begin);
+    const std::size_t set_p = SetAt(x_p, row_p);
+    const std::size_t set_q = SetAt(part.begin, row_q);
+    const PlaneSet& at_p = sets_.sets[set_p];
+    const PlaneSet& at_q = sets_.sets[set_q];
+    if (at_p.count == 1 && set_p == set_q) {
+      if (moving_[set_p].count > 0) FollowRun(part, set_p, x_p, part.end - part.begin);
     } else if (at_p.count > 0 && at_q.count > 0) {
       FollowNearest(part, at_p, at_q);
     }

@@ -47,28 +47,44 @@ class PlaneSetPrior : public OrientationPrior {
     int first_x = 0;  // of the entries of the rows
   };
 
+  // Of the planes of a set, by their place in it, those that are not constant.
+  struct MovingPlanes {
+    std::uint8_t count = 0;
+    std::array<std::uint8_t, PlaneSet::kMaxPlanes> places{};
+  };
+
+  // Pixel columns with one set.
+  struct Run {
+    int begin = 0;
+    int end = 0;
+    std::uint16_t set = 0;
+  };
+
+  void FindMoving();
   void MapColumns();
   void MapRows();
   void MapRuns();
-  const PlaneSet& SetAt(int x, int row) const;
+  std::size_t SetAt(int x, int row) const;
   int RunEnd(int x, int row) const;
   const FixedPlane& PlaneOf(const PlaneSet& set, int k) const;
 
   void FollowSurfaces(const Question& question) const;
   void FollowLabels(const Question& question) const;
   void FollowNearest(const Question& question, const PlaneSet& at_p, const PlaneSet& at_q) const;
-  void FollowRun(const Question& question, const PlaneSet& set, int x_p, int count) const;
+  void FollowRun(const Question& question, std::size_t set_id, int x_p, int count) const;
 
   VolumeShape shape_;
   JumpPolicy policy_ = JumpPolicy::kSameSurface;
   std::vector<FixedPlane> planes_;               // in disparity indices
   std::array<std::vector<PlaneStep>, 9> steps_;  // of each plane, to each neighbour of a pixel
   PlaneSets sets_;
+  std::vector<MovingPlanes> moving_;        // of each set
   std::vector<std::int32_t> column_of_;     // per pixel column: its column of the set image
   std::vector<std::int32_t> row_of_;        // per pixel row: its row of the set image
   std::vector<std::int32_t> column_begin_;  // per column of the set image: its first pixel's
-  // Of the set image: the first column behind each that holds another set.
-  std::vector<std::int32_t> run_end_;
+  // Where planes move, the runs of the rows of the set image: those of row i up to runs_end_[i].
+  std::vector<Run> runs_;
+  std::vector<std::size_t> runs_end_;
 };
 
 }  // namespace stereo_sgmp

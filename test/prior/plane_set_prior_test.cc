@@ -49,7 +49,8 @@ Scene RandomScene(const VolumeShape& shape, cv::Size coarse, int planes, int max
   scene.shape = shape;
   for (int i = 0; i < planes; ++i) {
     const double middle = shape.min_disparity + shape.disparities / 2.0;
-    scene.planes.push_back({Coefficient(&random, slope), Coefficient(&random, slope),
+    const double most = i % 3 == 1 ? 0.0 : slope;  // every third plane is constant
+    scene.planes.push_back({Coefficient(&random, most), Coefficient(&random, most),
                             middle + Coefficient(&random, 0.7 * shape.disparities)});
   }
   scene.sets.sets.emplace_back();
