@@ -50,26 +50,53 @@ HWY_INLINE hn::Vec<D> SmallestOfBlock(D d, hn::Vec<D> v) {
   }
 }
 
-// Smallest lane, in the lowest one. Halves down to 128 bits first.
+// The smallest of corresponding lanes of all blocks of 128 bits.
 template <class D>
-HWY_INLINE auto SmallestInFirst(D d, hn::Vec<D> v) {
+HWY_INLINE auto SmallestOfBlocks(D d, hn::Vec<D> v) {
   if constexpr (hn::MaxLanes(D()) * sizeof(hn::TFromD<D>) > 16) {
     const hn::Half<D> half;
-    return SmallestInFirst(half, hn::Min(hn::LowerHalf(half, v), hn::UpperHalf(half, v)));
+    return SmallestOfBlocks(half, hn::Min(hn::LowerHalf(half, v), hn::UpperHalf(half, v)));
   } else {
-    return SmallestOfBlock(d, v);
+    return v;
   }
+}
+
+// Smallest lane, in the lowest one.
+template <class D>
+HWY_INLINE auto SmallestInFirst(D d, hn::Vec<D> v) {
+  const hn::CappedTag<hn::TFromD<D>, 16 / sizeof(hn::TFromD<D>)> block;
+  return SmallestOfBlock(block, SmallestOfBlocks(d, v));
+}
+
+// The smaller ones of neighbours: those of `a` in even lanes of each block, of `b` in odd ones.
+template <class D>
+HWY_INLINE hn::Vec<D> SmallerNeighbours(D d, hn::Vec<D> a, hn::Vec<D> b) {
+  return hn::Min(hn::InterleaveLower(d, a, b), hn::InterleaveUpper(d, a, b));
 }
 
 #endif  // HWY_TARGET != HWY_SCALAR
 
-template <class D>
-HWY_INLINE hn::TFromD<D> SmallestLane(D d, hn::Vec<D> v) {
+// Stores the smallest lane of each of kCount vectors; vector i is get(i). They halve together, so
+// that each takes two shuffles in place of five.
+template <class T, int kCount, class Get>
+HWY_INLINE void StoreSmallest(const Get& get, T* smallest) {
 #if HWY_TARGET == HWY_SCALAR
-  (void)d;
-  return hn::GetLane(v);
+  for (int i = 0; i < kCount; ++i) smallest[i] = hn::GetLane(get(i));
 #else
-  return hn::GetLane(SmallestInFirst(d, v));
+  const Tag<T> d;
+  constexpr int kAtOnce = 16 / static_cast<int>(sizeof(T));  // as many as a block has lanes
+  static_assert(kCount % kAtOnce == 0, "blocks are filled");
+  for (int first = 0; first < kCount; first += kAtOnce) {
+    Lanes<T> v[kAtOnce / 2];
+    for (int i = 0; i < kAtOnce / 2; ++i) {
+      v[i] = SmallerNeighbours(d, get(first + i), get(first + i + kAtOnce / 2));
+    }
+    for (int n = kAtOnce / 4; n > 0; n /= 2) {
+      for (int i = 0; i < n; ++i) v[i] = SmallerNeighbours(d, v[i], v[i + n]);
+    }
+    const hn::CappedTag<T, kAtOnce> block;
+    hn::Store(SmallestOfBlocks(d, v[0]), block, smallest + first);
+  }
 #endif
 }
 

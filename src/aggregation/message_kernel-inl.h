@@ -23,8 +23,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 inline constexpr int kAnyVectors = 0;
 
 // Disparities of a pixel as vectors. With `kVectors` known, loops over it unroll, and what a loop
-// leaves for the next stays in registers.
-template <class T, int kVectors>
+// leaves for the next stays in registers. Those that are `kFull` have no lanes beyond the last
+// disparity.
+template <class T, int kVectors, bool kFull>
 struct PixelShape {
   static constexpr int kMaxDisparities = 2048;
   static constexpr int kMost =
@@ -44,6 +45,15 @@ struct PixelShape {
   }
 
   int Count() const { return kVectors != kAnyVectors ? kVectors : vectors; }
+
+  // The last vector with all bits set in the lanes beyond the last disparity.
+  HWY_INLINE Lanes<T> WithTail(Lanes<T> last) const {
+    if constexpr (kFull) {
+      return last;
+    } else {
+      return hn::Or(last, tail);
+    }
+  }
 };
 
 // One path at one pixel: the message it receives, the penalty of a large step from there, and where
@@ -68,9 +78,9 @@ HWY_INLINE Lanes<T> LoadCosts(const std::uint8_t* cost) {
 
 // Sends the message of the path costs `l`, of which the least is `smallest`. That is taken off
 // last: the steps between disparities need not wait for it.
-template <class T, int kVectors>
-HWY_INLINE void Send(const PixelShape<T, kVectors>& shape, const Lanes<T>* l, Lanes<T> smallest,
-                     Lanes<T> p1, T* sent) {
+template <class T, class Shape>
+HWY_INLINE void Send(const Shape& shape, const Lanes<T>* l, Lanes<T> smallest, Lanes<T> p1,
+                     T* sent) {
   const Tag<T> d;
   const Lanes<T> unreachable = hn::Set(d, PathSlot<T>::kUnreachable);
   const int last = shape.Count() - 1;
@@ -78,16 +88,15 @@ HWY_INLINE void Send(const PixelShape<T, kVectors>& shape, const Lanes<T>* l, La
     const Lanes<T> above = FromAbove<T>(l[v], v < last ? l[v + 1] : unreachable);
     const Lanes<T> below = FromBelow<T>(v > 0 ? l[v - 1] : unreachable, l[v]);
     const Lanes<T> step = hn::SaturatedAdd(hn::Min(below, above), p1);
-    Lanes<T> message = hn::Sub(hn::Min(l[v], step), smallest);
-    if (v == last) message = hn::Or(message, shape.tail);
-    hn::Store(message, d, sent + v * kLanes<T>);
+    const Lanes<T> message = hn::Sub(hn::Min(l[v], step), smallest);
+    hn::Store(v == last ? shape.WithTail(message) : message, d, sent + v * kLanes<T>);
   }
 }
 
 // Advances a path to one pixel. `l` receives what its costs exceed their least by, and beyond the
 // last disparity at least as much. Returns the least, min_d L_r.
-template <class T, int kVectors>
-HWY_INLINE int AdvancePath(const PixelShape<T, kVectors>& shape, const PathStepState<T>& path,
+template <class T, class Shape>
+HWY_INLINE int AdvancePath(const Shape& shape, const PathStepState<T>& path,
                            const std::uint8_t* cost, Lanes<T> p1, Lanes<T>* l) {
   const Tag<T> d;
   const int last = shape.Count() - 1;
@@ -96,40 +105,37 @@ HWY_INLINE int AdvancePath(const PixelShape<T, kVectors>& shape, const PathStepS
   for (int v = 0; v <= last; ++v) {
     const Lanes<T> received = hn::LoadU(d, path.received + v * kLanes<T>);
     l[v] = hn::Add(LoadCosts<T>(cost + v * kLanes<T>), hn::Min(received, p2));
-    if (v == last) l[v] = hn::Or(l[v], shape.tail);
-    least = hn::Min(least, l[v]);
+    if (v == last) l[v] = shape.WithTail(l[v]);
+    least = v == 0 ? l[v] : hn::Min(least, l[v]);
   }
   const Lanes<T> smallest = SmallestOfLanes(d, least);
-  Send<T, kVectors>(shape, l, smallest, p1, path.sent);
+  Send<T>(shape, l, smallest, p1, path.sent);
   for (int v = 0; v <= last; ++v) l[v] = hn::Sub(l[v], smallest);
   return hn::GetLane(smallest);
 }
 
 // Advances kPaths paths to one pixel. `sums` receives the sum of what their costs exceed their
 // least by (AddExcess), vector by vector. Returns the sum of min_d L_r.
-template <class T, int kPaths, int kVectors>
-HWY_INLINE int AdvancePaths(const PixelShape<T, kVectors>& shape,
-                            const PathStepState<T> (&paths)[kPaths], const std::uint8_t* cost,
-                            T p1_cost, Lanes<T>* sums) {
+template <class T, int kPaths, class Shape>
+HWY_INLINE int AdvancePaths(const Shape& shape, const PathStepState<T> (&paths)[kPaths],
+                            const std::uint8_t* cost, Lanes<T> p1, Lanes<T>* sums) {
   static_assert(kPaths % 2 == 0, "paths are summed in pairs");
   const Tag<T> d;
-  const Lanes<T> p1 = hn::Set(d, p1_cost);
   for (int v = 0; v < shape.Count(); ++v) sums[v] = hn::Zero(d);
-  Lanes<T> one[PixelShape<T, kVectors>::kMost];
-  Lanes<T> other[PixelShape<T, kVectors>::kMost];
+  Lanes<T> one[Shape::kMost];
+  Lanes<T> other[Shape::kMost];
   int minimum_sum = 0;
   for (int i = 0; i < kPaths; i += 2) {
-    minimum_sum += AdvancePath<T, kVectors>(shape, paths[i], cost, p1, one);
-    minimum_sum += AdvancePath<T, kVectors>(shape, paths[i + 1], cost, p1, other);
+    minimum_sum += AdvancePath<T>(shape, paths[i], cost, p1, one);
+    minimum_sum += AdvancePath<T>(shape, paths[i + 1], cost, p1, other);
     for (int v = 0; v < shape.Count(); ++v) sums[v] = AddExcess<T>(sums[v], one[v], other[v]);
   }
   return minimum_sum;
 }
 
 // Completes the messages by the disparities that the pixel does not reach: its neighbour may.
-template <class T, int kPaths, int kVectors>
-HWY_INLINE void SendUnreached(const PixelShape<T, kVectors>& shape,
-                              const PathStepState<T> (&paths)[kPaths]) {
+template <class T, int kPaths, class Shape>
+HWY_INLINE void SendUnreached(const Shape& shape, const PathStepState<T> (&paths)[kPaths]) {
   const Tag<T> d;
   for (const PathStepState<T>& path : paths) {
     for (int v = shape.Count(); v < shape.all_vectors; ++v) {

@@ -154,8 +154,9 @@ void Sweep<T>::RunPart(const RowPlace& place, int u_begin, int u_end, Workspace*
   s.stride = stride;
   s.x_step = job_.backward ? -1 : 1;
   s.x_first = job_.backward ? x_end - 1 : x_begin;
-  s.cost =
-      job_.costs->Row(y, x_begin, x_end, workspace->cost.data()) + (s.x_first - x_begin) * stride;
+  const std::uint8_t* costs = job_.costs->Row(y, x_begin, x_end, workspace->cost.data());
+  s.cost = costs + (s.x_first - x_begin) * stride;
+  s.has_stored_costs = costs != workspace->cost.data();
   s.has_above = place.v > 0;
   s.above = Above(place, *workspace);
   s.current = Current(place, *workspace);

@@ -14,6 +14,7 @@
 #include "aggregation/lanes-inl.h"
 #include "aggregation/message_kernel-inl.h"
 #include "aggregation/step_kernel-inl.h"
+#include "aggregation/stretch_sums-inl.h"
 #include "aggregation/winner_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -21,109 +22,76 @@ namespace stereo_sgmp {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Moves along a stretch; calls `finish(offset, sums, minimum_sum)` for each pixel, which stands
-// `offset` pixels from the first one.
-template <class T, int kPaths, int kVectors, class Finish>
-HWY_INLINE void ForEachPixel(const SweepStretch<T>& s, const PixelShape<T, kVectors>& shape,
-                             const Finish& finish) {
+// What is read once, in chunks of a stretch, is more than the hardware fetches ahead alone.
+template <class T>
+HWY_INLINE void PrefetchPixel(const T* pixel, std::ptrdiff_t stride) {
+  constexpr std::ptrdiff_t kCacheLine = 64 / sizeof(T);
+  for (std::ptrdiff_t k = 0; k < stride; k += kCacheLine) hwy::Prefetch(pixel + k);
+}
+
+// Of a pixel from the first one of its stretch, in pixels of the image.
+using Offset = std::ptrdiff_t;
+
+// Moves along a stretch; calls `finish(offset, half, minima)` for each pixel, with the sum of its
+// path costs and that of their minima, min_d L_r.
+template <class T, int kPaths, class Shape, class Finish>
+HWY_INLINE void ForEachPixel(const SweepStretch<T>& s, const Shape& shape, const Finish& finish) {
+  constexpr int kAhead = 8;
+  const Lanes<T> p1 = hn::Set(Tag<T>(), s.p1);
   StepCursor<T, kPaths> cursor(s);
   for (int u = s.u_begin; u < s.u_end; ++u) {
-    const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(u - s.u_begin) * s.x_step;
+    const Offset offset = static_cast<Offset>(u - s.u_begin) * s.x_step;
+    if (s.has_stored_costs) {
+      PrefetchPixel(s.cost + (offset + kAhead * s.x_step) * s.stride, s.stride);
+    }
     PathStepState<T> paths[kPaths];
     cursor.Prepare(u, offset, paths);
-    Lanes<T> sums[PixelShape<T, kVectors>::kMost];
-    const int minimum_sum =
-        AdvancePaths<T, kPaths, kVectors>(shape, paths, s.cost + offset * s.stride, s.p1, sums);
+    Lanes<T> half[Shape::kMost];
+    const int minima = AdvancePaths<T, kPaths>(shape, paths, s.cost + offset * s.stride, p1, half);
     if (HWY_UNLIKELY(shape.Count() < shape.all_vectors)) SendUnreached(shape, paths);
     cursor.Advance();
-    finish(offset, sums, minimum_sum);
+    finish(offset, half, minima);
   }
   cursor.Finish();
 }
 
-// S of the pixel `offset` pixels from the first one: it is stored from the last pixel of the image
-// to the first, so that the backward sweep, which has to wait for it, reads on and on.
-template <class T>
-HWY_INLINE T* SumOf(const SweepStretch<T>& s, std::ptrdiff_t offset) {
-  return s.sum - offset * s.stride;
-}
-
-template <class T, int kPaths, int kVectors>
+template <class T, int kPaths, class Shape>
 void First(const SweepStretch<T>& s) {
-  const PixelShape<T, kVectors> shape(s.disparities, s.all_disparities);
-  ForEachPixel<T, kPaths, kVectors>(
-      s, shape,
-      [&](std::ptrdiff_t offset, const Lanes<T>* sums, int minimum_sum) STEREO_SGMP_INLINE_ATTR {
-        T* sum = SumOf(s, offset);
-        for (int v = 0; v < shape.Count(); ++v) hn::Stream(sums[v], Tag<T>(), sum + v * kLanes<T>);
-        s.minimum_sum[offset] = static_cast<std::uint16_t>(minimum_sum);
-      });
+  const Shape shape(s.disparities, s.all_disparities);
+  const auto store = [&](Offset offset, const Lanes<T>* half, int minima) STEREO_SGMP_INLINE_ATTR {
+    T* sum = StoredSum(s, offset);
+    for (int v = 0; v < shape.Count(); ++v) hn::Stream(half[v], Tag<T>(), sum + v * kLanes<T>);
+    s.minimum_sum[offset] = static_cast<std::uint16_t>(minima);
+  };
+  ForEachPixel<T, kPaths>(s, shape, store);
 }
 
-template <class T, int kPaths, int kVectors>
+template <class T, int kPaths, class Shape>
 void States(const SweepStretch<T>& s) {
-  const PixelShape<T, kVectors> shape(s.disparities, s.all_disparities);
-  ForEachPixel<T, kPaths, kVectors>(
-      s, shape, [](std::ptrdiff_t, const Lanes<T>*, int) STEREO_SGMP_INLINE_ATTR {});
+  const Shape shape(s.disparities, s.all_disparities);
+  const auto ignore = [](Offset, const Lanes<T>*, int) STEREO_SGMP_INLINE_ATTR {};
+  ForEachPixel<T, kPaths>(s, shape, ignore);
 }
 
-// Completes S of a pixel from `sums` and the half that was stored: `excess` receives what it
-// exceeds the least of both halves by. Returns the latter.
-template <class T, int kVectors>
-HWY_INLINE int CompleteExcess(const PixelShape<T, kVectors>& shape, const Lanes<T>* sums,
-                              const T* stored, T* excess) {
-  const Tag<T> d;
-  const int last = shape.Count() - 1;
-  Lanes<T> first_half[PixelShape<T, kVectors>::kMost];
-  Lanes<T> least_of_first = hn::Set(d, PixelExcess<T>::kMost);
-  Lanes<T> least_of_last = least_of_first;
-  for (int v = 0; v <= last; ++v) {
-    first_half[v] = hn::Load(d, stored + v * kLanes<T>);
-    const Lanes<T> unused = v == last ? shape.tail : hn::Zero(d);
-    least_of_first = hn::Min(least_of_first, hn::Or(first_half[v], unused));
-    least_of_last = hn::Min(least_of_last, hn::Or(sums[v], unused));
-  }
-  least_of_first = SmallestOfLanes(d, least_of_first);
-  least_of_last = SmallestOfLanes(d, least_of_last);
-  for (int v = 0; v <= last; ++v) {
-    Lanes<T> complete =
-        hn::SaturatedAdd(hn::Sub(first_half[v], least_of_first), hn::Sub(sums[v], least_of_last));
-    if (v == last) complete = hn::Or(complete, shape.tail);
-    hn::Store(complete, d, excess + v * kLanes<T>);
-  }
-  return int{hn::GetLane(least_of_first)} + int{hn::GetLane(least_of_last)};
-}
-
-// Asks for S of the pixel that comes a few later: there is too much of it for the hardware alone.
-template <class T>
-HWY_INLINE void PrefetchSum(const SweepStretch<T>& s, std::ptrdiff_t offset) {
+// Completes S of the pixels of a stretch of the backward sweep.
+template <class T, int kPaths, class Shape>
+HWY_INLINE void CompleteSums(const SweepStretch<T>& s, const Shape& shape,
+                             StretchSums<T, Shape>* sums) {
   constexpr int kAhead = 4;
-  constexpr std::ptrdiff_t kCacheLine = 64 / sizeof(T);
-  const T* ahead = SumOf(s, offset + kAhead * s.x_step);
-  for (std::ptrdiff_t k = 0; k < s.stride; k += kCacheLine) hwy::Prefetch(ahead + k);
+  const auto take = [&](Offset offset, const Lanes<T>* half, int minima) STEREO_SGMP_INLINE_ATTR {
+    PrefetchPixel(StoredSum(s, offset + kAhead * s.x_step), s.stride);
+    sums->Take(half, s.minimum_sum[offset] + minima);
+  };
+  ForEachPixel<T, kPaths>(s, shape, take);
+  sums->Complete();
 }
 
-// First completes S of all pixels: those steps wait for each other, the reading does not.
-template <class T, int kPaths, int kVectors>
+template <class T, int kPaths, class Shape>
 void Last(const SweepStretch<T>& s) {
-  const PixelShape<T, kVectors> shape(s.disparities, s.all_disparities);
-  SumBase bases[SweepStretch<T>::kMaxPixels];
-  int completed = 0;
-  ForEachPixel<T, kPaths, kVectors>(
-      s, shape,
-      [&](std::ptrdiff_t offset, const Lanes<T>* sums, int minimum_sum) STEREO_SGMP_INLINE_ATTR {
-        PrefetchSum(s, offset);
-        const int path_minima = (s.minimum_sum[offset] + minimum_sum) / kSumStep<T>;
-        const int excess =
-            CompleteExcess(shape, sums, SumOf(s, offset), s.excess + completed * s.stride);
-        bases[completed++] = {path_minima, path_minima + excess};
-      });
-  RightWindow<T, kVectors> right(s, shape.Count());
-  int x = s.x_first;
-  for (int i = 0; i < completed; ++i, --x) {
-    ReadPixel(s, PixelExcess<T>{s.excess + i * s.stride, shape.Count()}, x, bases[i], &right);
-  }
-  right.Finish(x + 1);
+  const Shape shape(s.disparities, s.all_disparities);
+  StretchSums<T, Shape> sums(s, shape);
+  CompleteSums<T, kPaths>(s, shape, &sums);
+  WinnerReader<T, Shape>(s, shape, sums).Read();
 }
 
 // 0.12 (S - min S) of 16-bit numbers, with 0.12 as 31 parts of 256.
@@ -176,61 +144,73 @@ HWY_INLINE void StoreSharpened(Lanes16 raised, int limit, const std::uint8_t* co
   hn::StoreU(hn::DemoteTo(narrow, hn::BitCast(as_signed, sum)), narrow, sharpened);
 }
 
-template <class T, int kPaths, int kVectors>
+template <class T, int kPaths, class Shape>
 void Sharpen(const SweepStretch<T>& s) {
-  const PixelShape<T, kVectors> shape(s.disparities, s.all_disparities);
-  const PixelExcess<T> excess{s.excess, shape.Count()};
-  ForEachPixel<T, kPaths, kVectors>(
-      s, shape, [&](std::ptrdiff_t offset, const Lanes<T>* sums, int) STEREO_SGMP_INLINE_ATTR {
-        const std::ptrdiff_t place = offset * s.stride;
-        CompleteExcess(shape, sums, SumOf(s, offset), s.excess);
-        const Lanes<T> best = LeastOf(excess);
-        for (int v = 0; v < shape.Count(); ++v) {
-          const std::ptrdiff_t k = place + v * kLanes<T>;
-          StoreSharpened(Raised<T>(hn::Sub(excess.Vector(v), best)), 255 / s.unit, s.cost + k,
-                         s.sharpened + k);
-        }
-      });
+  const Shape shape(s.disparities, s.all_disparities);
+  StretchSums<T, Shape> sums(s, shape);
+  CompleteSums<T, kPaths>(s, shape, &sums);
+  HWY_ALIGN T least[StretchSums<T, Shape>::kPixels];
+  sums.StoreLeast(least);
+  for (int place = sums.begin(); place < sums.kPixels; ++place) {
+    const Lanes<T> best = hn::Set(Tag<T>(), least[place]);
+    const std::ptrdiff_t pixel = (place - (sums.kPixels - 1)) * s.stride;
+    for (int v = 0; v < shape.Count(); ++v) {
+      const std::ptrdiff_t k = pixel + v * kLanes<T>;
+      StoreSharpened(Raised<T>(hn::Sub(sums.Vector(place, v), best)), 255 / s.unit, s.cost + k,
+                     s.sharpened + k);
+    }
+  }
+}
+
+template <class T, int kPaths, class Shape>
+void SweepPart(const SweepStretch<T>& s) {
+  switch (s.kind) {
+    case SweepKind::kStates:
+      return States<T, kPaths, Shape>(s);
+    case SweepKind::kFirst:
+      return First<T, kPaths, Shape>(s);
+    case SweepKind::kSharpen:
+      // The first round has two paths a sweep.
+      if constexpr (kPaths != kPathsPerSweep) Sharpen<T, kPaths, Shape>(s);
+      return;
+    case SweepKind::kLast:
+      return Last<T, kPaths, Shape>(s);
+  }
 }
 
 template <class T, int kPaths, int kVectors>
 void SweepVectors(const SweepStretch<T>& s) {
-  switch (s.kind) {
-    case SweepKind::kStates:
-      return States<T, kPaths, kVectors>(s);
-    case SweepKind::kFirst:
-      return First<T, kPaths, kVectors>(s);
-    case SweepKind::kSharpen:
-      // The first round has two paths a sweep.
-      if constexpr (kPaths != kPathsPerSweep) Sharpen<T, kPaths, kVectors>(s);
-      return;
-    case SweepKind::kLast:
-      return Last<T, kPaths, kVectors>(s);
+  if constexpr (kPaths == kPathsPerSweep && kVectors != kAnyVectors) {
+    if (s.disparities % kLanes<T> == 0)
+      return SweepPart<T, kPaths, PixelShape<T, kVectors, true>>(s);
   }
+  return SweepPart<T, kPaths, PixelShape<T, kVectors, false>>(s);
 }
 
 // Unrolls the loops over the vectors of a pixel: those of 8 bit messages for usual ranges.
 template <class T, int kPaths>
 void SweepOf(const SweepStretch<T>& s) {
-  const int vectors = sizeof(T) == 1 ? PixelShape<T, kAnyVectors>::VectorsOf(s.disparities) : 0;
-  switch (vectors) {
-    case 1:
-      return SweepVectors<T, kPaths, 1>(s);
-    case 2:
-      return SweepVectors<T, kPaths, 2>(s);
-    case 3:
-      return SweepVectors<T, kPaths, 3>(s);
-    case 4:
-      return SweepVectors<T, kPaths, 4>(s);
-    case 5:
-      return SweepVectors<T, kPaths, 5>(s);
-    case 8:
-      // 256 disparities in vectors of 32; longer vectors need fewer.
-      if constexpr (kLanes<T> == 32) return SweepVectors<T, kPaths, 8>(s);
-      [[fallthrough]];
-    default:
-      return SweepVectors<T, kPaths, kAnyVectors>(s);
+  if constexpr (sizeof(T) == 1) {
+    switch ((s.disparities + kLanes<T> - 1) / kLanes<T>) {
+      case 1:
+        return SweepVectors<T, kPaths, 1>(s);
+      case 2:
+        return SweepVectors<T, kPaths, 2>(s);
+      case 3:
+        return SweepVectors<T, kPaths, 3>(s);
+      case 4:
+        return SweepVectors<T, kPaths, 4>(s);
+      case 5:
+        return SweepVectors<T, kPaths, 5>(s);
+      case 8:
+        // 256 disparities in vectors of 32; longer vectors need fewer.
+        if constexpr (kLanes<T> == 32) return SweepVectors<T, kPaths, 8>(s);
+        break;
+      default:
+        break;
+    }
   }
+  return SweepVectors<T, kPaths, kAnyVectors>(s);
 }
 
 template <class T>

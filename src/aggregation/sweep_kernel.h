@@ -18,7 +18,7 @@ enum class SweepKind {
   kStates,  // nothing: only the messages between pixels matter
   kFirst,   // stores them as the first half of S
   // Adds the other half and leaves the costs for the second round of PathScheme::kFourTwice,
-  // C/2 + 0.12 (S - min S), at most the largest cost.
+  // C/2 + 0.12 (S - min S), at most the largest cost; has to be a backward sweep
   kSharpen,
   kLast,  // adds the other half and reads the winners off S; has to be a backward sweep
 };
@@ -64,6 +64,7 @@ struct SweepStretch {
   int x_first = 0;  // image x of u_begin
 
   const std::uint8_t* cost = nullptr;  // C of the pixel u_begin
+  bool has_stored_costs = false;       // those of a volume, in which the row goes on
   // The first half of S of the pixel u_begin (kSumStep); pixels stand in reverse, with -x_step.
   T* sum = nullptr;
   std::uint16_t* minimum_sum = nullptr;  // sum over r of min_d L_r, of the pixel u_begin

@@ -1,0 +1,134 @@
+// S(p, d) of the pixels of a stretch, complete.
+#if defined(STEREO_SGMP_AGGREGATION_STRETCH_SUMS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef STEREO_SGMP_AGGREGATION_STRETCH_SUMS_INL_H_
+#undef STEREO_SGMP_AGGREGATION_STRETCH_SUMS_INL_H_
+#else
+#define STEREO_SGMP_AGGREGATION_STRETCH_SUMS_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+#include "aggregation/lanes-inl.h"
+#include "aggregation/sweep_kernel.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace stereo_sgmp {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// S of a pixel: it is stored from the last pixel of the image to the first, so that the backward
+// sweep, which has to wait for it, reads on and on. `offset` counts from the first pixel.
+template <class T>
+HWY_INLINE T* StoredSum(const SweepStretch<T>& s, std::ptrdiff_t offset) {
+  return s.sum - offset * s.stride;
+}
+
+// Takes the second halves of S of the pixels of a stretch of the backward sweep, and adds the first
+// ones to all of them at once: what one pixel waits for, the others need not. Pixels have the
+// places [begin(), kPixels), in the order of the image.
+template <class T, class Shape>
+class StretchSums {
+ public:
+  static constexpr int kPixels = SweepStretch<T>::kMaxPixels;
+
+  StretchSums(const SweepStretch<T>& s, const Shape& shape) : s_(s), shape_(shape) {}
+
+  // The second half of the next pixel, and what all of its paths cost at least.
+  HWY_INLINE void Take(const Lanes<T>* half, int path_minima) {
+    --begin_;
+    for (int v = 0; v < shape_.Count(); ++v) {
+      hn::Store(half[v], Tag<T>(), Row(begin_) + v * kLanes<T>);
+    }
+    path_minima_[begin_] = path_minima / kSumStep<T>;
+  }
+
+  // What S exceeds the base of its pixel by, at most the largest number, which is also what the
+  // disparities beyond the last one have.
+  HWY_INLINE void Complete() {
+    const Tag<T> d;
+    HWY_ALIGN T least_of_first[kPixels];
+    HWY_ALIGN T least_of_last[kPixels];
+    StoreSmallest<T, kPixels>(
+        [&](int place) STEREO_SGMP_INLINE_ATTR {
+          const T* half = FirstHalf(std::max(place, begin_));
+          return LeastOfVectors(
+              [&](int v) STEREO_SGMP_INLINE_ATTR { return hn::Load(d, half + v * kLanes<T>); });
+        },
+        least_of_first);
+    StoreLeast(least_of_last);
+    for (int place = begin_; place < kPixels; ++place) {
+      AddFirstHalf(place, hn::Set(d, least_of_first[place]), hn::Set(d, least_of_last[place]));
+    }
+    for (int i = 0; i < kPixels; ++i) {
+      base_[i] = path_minima_[i] + least_of_first[i] + least_of_last[i];
+    }
+  }
+
+  // The least of each place.
+  HWY_INLINE void StoreLeast(T* least) const {
+    StoreLeastOf([](int, int, Lanes<T> excess) STEREO_SGMP_INLINE_ATTR { return excess; }, least);
+  }
+
+  // The least of each place of what change(place, vector, excess) makes of it.
+  template <class Change>
+  HWY_INLINE void StoreLeastOf(const Change& change, T* least) const {
+    StoreSmallest<T, kPixels>(
+        [&](int place) STEREO_SGMP_INLINE_ATTR {
+          return LeastOfVectors(
+              [&](int v) STEREO_SGMP_INLINE_ATTR { return change(place, v, Vector(place, v)); });
+        },
+        least);
+  }
+
+  HWY_INLINE Lanes<T> Vector(int place, int v) const {
+    return hn::Load(Tag<T>(), Row(place) + v * kLanes<T>);
+  }
+
+  HWY_INLINE T* Row(int place) const { return s_.excess + place * s_.stride; }
+
+  int begin() const { return begin_; }
+  int FirstColumn() const { return s_.x_first - (kPixels - 1 - begin_); }
+
+  // Of each place, in steps of kSumStep: the sum of what the paths cost at least, and the base that
+  // the excess counts from.
+  const int* path_minima() const { return path_minima_; }
+  const int* base() const { return base_; }
+
+ private:
+  HWY_INLINE const T* FirstHalf(int place) const { return StoredSum(s_, place - (kPixels - 1)); }
+
+  template <class Get>
+  HWY_INLINE Lanes<T> LeastOfVectors(const Get& get) const {
+    const int last = shape_.Count() - 1;
+    Lanes<T> least = shape_.WithTail(get(last));
+    for (int v = 0; v < last; ++v) least = hn::Min(least, get(v));
+    return least;
+  }
+
+  HWY_INLINE void AddFirstHalf(int place, Lanes<T> least_of_first, Lanes<T> least_of_last) const {
+    const Tag<T> d;
+    const int last = shape_.Count() - 1;
+    for (int v = 0; v <= last; ++v) {
+      const auto first = hn::Load(d, FirstHalf(place) + v * kLanes<T>);
+      const auto sum = hn::SaturatedAdd(hn::Sub(first, least_of_first),
+                                        hn::Sub(Vector(place, v), least_of_last));
+      hn::Store(v == last ? shape_.WithTail(sum) : sum, d, Row(place) + v * kLanes<T>);
+    }
+  }
+
+  const SweepStretch<T>& s_;
+  const Shape& shape_;
+  int begin_ = kPixels;
+  int path_minima_[kPixels] = {};
+  int base_[kPixels] = {};
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace stereo_sgmp
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard
