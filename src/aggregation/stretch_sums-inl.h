@@ -10,7 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
+#include <cstdint>
 
 #include "aggregation/lanes-inl.h"
 #include "aggregation/sweep_kernel.h"
@@ -37,13 +37,13 @@ class StretchSums {
 
   StretchSums(const SweepStretch<T>& s, const Shape& shape) : s_(s), shape_(shape) {}
 
-  // The second half of the next pixel, and what all of its paths cost at least.
+  // The second half of the next pixel, and what its paths cost at least.
   HWY_INLINE void Take(const Lanes<T>* half, int path_minima) {
     --begin_;
     for (int v = 0; v < shape_.Count(); ++v) {
       hn::Store(half[v], Tag<T>(), Row(begin_) + v * kLanes<T>);
     }
-    path_minima_[begin_] = path_minima / kSumStep<T>;
+    path_minima_[begin_] = path_minima;
   }
 
   // What S exceeds the base of its pixel by, at most the largest number, which is also what the
@@ -63,7 +63,9 @@ class StretchSums {
     for (int place = begin_; place < kPixels; ++place) {
       AddFirstHalf(place, hn::Set(d, least_of_first[place]), hn::Set(d, least_of_last[place]));
     }
-    for (int i = 0; i < kPixels; ++i) {
+    const std::uint16_t* minima_of_first = s_.minimum_sum - (kPixels - 1);
+    for (int i = begin_; i < kPixels; ++i) {
+      path_minima_[i] = (path_minima_[i] + minima_of_first[i]) / kSumStep<T>;
       base_[i] = path_minima_[i] + least_of_first[i] + least_of_last[i];
     }
   }
@@ -93,8 +95,8 @@ class StretchSums {
   int begin() const { return begin_; }
   int FirstColumn() const { return s_.x_first - (kPixels - 1 - begin_); }
 
-  // Of each place, in steps of kSumStep: the sum of what the paths cost at least, and the base that
-  // the excess counts from.
+  // Of each place, in steps of kSumStep: the sum of what all eight paths cost at least, and the
+  // base that the excess counts from.
   const int* path_minima() const { return path_minima_; }
   const int* base() const { return base_; }
 

@@ -80,8 +80,9 @@ HWY_INLINE void CompleteSums(const SweepStretch<T>& s, const Shape& shape,
   constexpr int kAhead = 4;
   const auto take = [&](Offset offset, const Lanes<T>* half, int minima) STEREO_SGMP_INLINE_ATTR {
     PrefetchPixel(StoredSum(s, offset + kAhead * s.x_step), s.stride);
-    sums->Take(half, s.minimum_sum[offset] + minima);
+    sums->Take(half, minima);
   };
+  hwy::Prefetch(s.minimum_sum - (SweepStretch<T>::kMaxPixels - 1));
   ForEachPixel<T, kPaths>(s, shape, take);
   sums->Complete();
 }

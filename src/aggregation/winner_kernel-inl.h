@@ -87,23 +87,21 @@ class WinnerReader {
     right.Finish(sums_.FirstColumn());
   }
 
-  // A sum as the winner map has it.
-  HWY_INLINE std::uint16_t InUnits(int sum) const {
-    return static_cast<std::uint16_t>(sum * (s_.unit * kSumStep<T>));
-  }
-
   HWY_INLINE void WriteLeast() const {
+    const int unit = s_.unit * kSumStep<T>;
+    const int disparities = s_.disparities;
     std::uint16_t winner[kPixels];
     std::uint16_t cost[kPixels];
     std::uint16_t uncertainty[kPixels];
     std::uint16_t second[kPixels];
     for (int i = 0; i < kPixels; ++i) {
       const int least = sums_.base()[i] + least_[i];
-      const bool has_second = winner_[i] > 1 || winner_[i] + 2 < s_.disparities;
+      const int next = (sums_.base()[i] + second_[i]) * unit;
+      const bool has_second = winner_[i] > 1 || winner_[i] + 2 < disparities;
       winner[i] = static_cast<std::uint16_t>(winner_[i]);
-      cost[i] = InUnits(least);
-      uncertainty[i] = InUnits(least - sums_.path_minima()[i]);
-      second[i] = has_second ? InUnits(sums_.base()[i] + second_[i]) : WinnerMap::kNone;
+      cost[i] = static_cast<std::uint16_t>(least * unit);
+      uncertainty[i] = static_cast<std::uint16_t>((least - sums_.path_minima()[i]) * unit);
+      second[i] = static_cast<std::uint16_t>(has_second ? next : WinnerMap::kNone);
     }
     Write(winner, s_.winners.winner);
     Write(cost, s_.winners.cost);
@@ -112,20 +110,22 @@ class WinnerReader {
   }
 
   HWY_INLINE void WriteNeighbours() const {
+    const int unit = s_.unit * kSumStep<T>;
+    const int last = s_.disparities - 1;
     int excess_below[kPixels];
     int excess_above[kPixels];
     for (int i = 0; i < kPixels; ++i) {
-      const T* excess = sums_.Row(i) + winner_[i];
-      excess_below[i] = excess[winner_[i] > 0 ? -1 : 0];
-      excess_above[i] = excess[winner_[i] + 1 < s_.disparities ? 1 : 0];
+      const T* excess = sums_.Row(i);
+      excess_below[i] = excess[std::max(winner_[i] - 1, 0)];
+      excess_above[i] = excess[std::min(winner_[i] + 1, last)];
     }
     std::uint16_t below[kPixels];
     std::uint16_t above[kPixels];
     for (int i = 0; i < kPixels; ++i) {
-      const bool has_below = winner_[i] > 0;
-      const bool has_above = winner_[i] + 1 < s_.disparities;
-      below[i] = has_below ? InUnits(sums_.base()[i] + excess_below[i]) : WinnerMap::kNone;
-      above[i] = has_above ? InUnits(sums_.base()[i] + excess_above[i]) : WinnerMap::kNone;
+      const int sum_below = (sums_.base()[i] + excess_below[i]) * unit;
+      const int sum_above = (sums_.base()[i] + excess_above[i]) * unit;
+      below[i] = static_cast<std::uint16_t>(winner_[i] > 0 ? sum_below : WinnerMap::kNone);
+      above[i] = static_cast<std::uint16_t>(winner_[i] < last ? sum_above : WinnerMap::kNone);
     }
     Write(below, s_.winners.cost_below);
     Write(above, s_.winners.cost_above);
