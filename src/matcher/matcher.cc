@@ -33,15 +33,11 @@ void CheckRange(const Options& options, cv::Size size) {
   throw std::invalid_argument(text.str());
 }
 
-// For planes, or for the radiometric fit of the mixed cost.
-bool NeedsCoarsePass(const Options& options) {
-  return options.prior.variant != Variant::kSgm || options.cost.kind == CostKind::kMixed;
-}
-
 // Whether the disparities that the coarse pass sees are all that is searched: not where costs or a
 // prior are given, which may know of others.
 bool SearchesSeenRange(const Options& options, const MatchInputs& inputs) {
-  if (!options.narrow_range || !NeedsCoarsePass(options) || inputs.costs != nullptr) return false;
+  if (!options.narrow_range || inputs.costs != nullptr) return false;
+  if (options.num_disparities <= SeenRange::kBlock) return false;
   switch (options.prior.variant) {
     case Variant::kSgm:
     case Variant::kEpi:
@@ -55,6 +51,12 @@ bool SearchesSeenRange(const Options& options, const MatchInputs& inputs) {
       return false;
   }
   return false;
+}
+
+// For planes, for the radiometric fit of the mixed cost, or for the range.
+bool NeedsCoarsePass(const Options& options, const MatchInputs& inputs) {
+  return options.prior.variant != Variant::kSgm || options.cost.kind == CostKind::kMixed ||
+         SearchesSeenRange(options, inputs);
 }
 
 // Whether one thread prepares the costs in about the time that others find planes in. Those of NCC
@@ -96,7 +98,7 @@ class Matcher::Impl {
     result->statistics.alignment = AlignRows();
     clock.Mark("alignment");
 
-    if (NeedsCoarsePass(options_)) coarse_.Run(options_, images_, pool_.get());
+    if (NeedsCoarsePass(options_, inputs)) coarse_.Run(options_, images_, pool_.get());
     if (SearchesSeenRange(options_, inputs)) {
       shape = seen_range_.Find(coarse_.disparity(), shape, pool_.get());
     }

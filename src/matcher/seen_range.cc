@@ -37,7 +37,6 @@ float FindLargest(const cv::Mat& disparity, const cv::Mat& reason) {
 }  // namespace
 
 VolumeShape SeenRange::Find(const cv::Mat& coarse, const VolumeShape& full, ThreadPool* pool) {
-  constexpr int kBlock = VolumeShape::kPadding;
   if (full.disparities <= kBlock) return full;
   reason_.create(coarse.size(), CV_8U);
   reason_.setTo(0);

@@ -12,6 +12,9 @@ namespace stereo_sgmp {
 // Finds how near the surfaces of the coarse pass come. Keeps its buffers from call to call.
 class SeenRange {
  public:
+  // Disparities that are searched or not together.
+  static constexpr int kBlock = VolumeShape::kPadding;
+
   // `coarse`: disparities of the coarse pass, CV_32F in coarse pixels. Returns the volume `full`
   // without the largest disparities, which none of them has: whole blocks, since that is what the
   // time goes by. All of `full` where no block can be left out. The smallest disparities stay:
