@@ -95,8 +95,8 @@ class StretchSums {
   int begin() const { return begin_; }
   int FirstColumn() const { return s_.x_first - (kPixels - 1 - begin_); }
 
-  // Of each place, in steps of kSumStep: the sum of what all eight paths cost at least, and the
-  // base that the excess counts from.
+  // Of each place, in steps of kSumStep: the sum of what the paths of both sweeps cost at least,
+  // and the base that the excess counts from.
   const int* path_minima() const { return path_minima_; }
   const int* base() const { return base_; }
 

@@ -24,6 +24,8 @@ namespace stereo_sgmp {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+// Step by step for all pixels, as StretchSums has them: where one has to wait for what it looks up,
+// the others go on, and each row of the winner map is written at once.
 template <class T, class Shape>
 class WinnerReader {
  public:
