@@ -80,6 +80,10 @@ class RightWindow {
       for (int part = 0; part < kIndexParts; ++part) {
         hn::Store(index_[part][v], Tag<T>(), IndexPart(part) + v * kLanes<T>);
       }
+      // The next stretch may have another shape, which reads both bytes.
+      if constexpr (sizeof(T) == 1 && kIndexParts == 1) {
+        hn::Store(hn::Zero(Tag<T>()), Tag<T>(), IndexPart(1) + v * kLanes<T>);
+      }
     }
   }
 
