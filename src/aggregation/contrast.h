@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include <opencv2/core.hpp>
 
@@ -26,7 +25,6 @@ class Contrast {
   }
 
  private:
-  std::vector<cv::Mat> channels_;
   std::array<cv::Mat, kPathsPerSweep> axes_;
 };
 

@@ -8,12 +8,15 @@
 
 #include <hwy/base.h>
 
-#include "prior/step_cost_kernel.h"
+#include "images/pixel_difference_kernel.h"
 
 namespace stereo_sgmp {
 namespace {
 
 constexpr int kReach = 150;
+
+// Of each step, beside the difference of its pixels.
+constexpr std::uint8_t kStepCost = 2;
 
 constexpr std::uint8_t kUnreached = 255;
 static_assert(kReach < kUnreached, "told apart from costs");
@@ -63,9 +66,10 @@ void LabelSpreader::Load(const cv::Mat& image, const cv::Mat& labels) {
     }
     const std::uint8_t* pixels = image.ptr(y);
     const int channels = image.channels();
-    StepCosts(pixels, pixels + channels, channels, image.cols - 1, &right_[begin]);
+    PixelDifferences(pixels, pixels + channels, channels, image.cols - 1, kStepCost,
+                     &right_[begin]);
     if (y + 1 < image.rows) {
-      StepCosts(pixels, image.ptr(y + 1), channels, image.cols, &down_[begin]);
+      PixelDifferences(pixels, image.ptr(y + 1), channels, image.cols, kStepCost, &down_[begin]);
     }
   }
 }

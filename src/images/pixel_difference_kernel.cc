@@ -1,7 +1,7 @@
-#include "prior/step_cost_kernel.h"
+#include "images/pixel_difference_kernel.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "prior/step_cost_kernel.cc"
+#define HWY_TARGET_INCLUDE "images/pixel_difference_kernel.cc"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -34,41 +34,40 @@ HWY_INLINE hn::Vec<D> LargestDifference(D d, const std::uint8_t* from, const std
 }
 
 template <int kChannels, class D>
-HWY_INLINE void StepCostsOf(D d, const std::uint8_t* from, const std::uint8_t* to, int count,
-                            std::uint8_t* costs) {
-  constexpr std::uint8_t kStepCost = 2;
+HWY_INLINE void DifferencesOf(D d, const std::uint8_t* from, const std::uint8_t* to, int count,
+                              std::uint8_t base, std::uint8_t* differences) {
   const int lanes = static_cast<int>(hn::Lanes(d));
   for (int x = 0; x < count; x += lanes) {
     // The last vector overlaps the one before.
     const int begin = HWY_MIN(x, count - lanes);
     const auto difference =
         LargestDifference<kChannels>(d, from + kChannels * begin, to + kChannels * begin);
-    hn::StoreU(hn::SaturatedAdd(difference, hn::Set(d, kStepCost)), d, costs + begin);
+    hn::StoreU(hn::SaturatedAdd(difference, hn::Set(d, base)), d, differences + begin);
   }
 }
 
 template <int kChannels>
-HWY_INLINE void StepCostsOfRow(const std::uint8_t* from, const std::uint8_t* to, int count,
-                               std::uint8_t* costs) {
+HWY_INLINE void DifferencesOfRow(const std::uint8_t* from, const std::uint8_t* to, int count,
+                                 std::uint8_t base, std::uint8_t* differences) {
   const hn::ScalableTag<std::uint8_t> wide;
   const hn::CappedTag<std::uint8_t, 16> narrow;  // coarse rows are short
   if (count >= static_cast<int>(hn::Lanes(wide))) {
-    StepCostsOf<kChannels>(wide, from, to, count, costs);
+    DifferencesOf<kChannels>(wide, from, to, count, base, differences);
   } else if (count >= static_cast<int>(hn::Lanes(narrow))) {
-    StepCostsOf<kChannels>(narrow, from, to, count, costs);
+    DifferencesOf<kChannels>(narrow, from, to, count, base, differences);
   } else {
-    StepCostsOf<kChannels>(hn::CappedTag<std::uint8_t, 1>(), from, to, count, costs);
+    DifferencesOf<kChannels>(hn::CappedTag<std::uint8_t, 1>(), from, to, count, base, differences);
   }
 }
 
-void StepCostsOnTarget(const std::uint8_t* from, const std::uint8_t* to, int channels, int count,
-                       std::uint8_t* costs) {
+void DifferencesOnTarget(const std::uint8_t* from, const std::uint8_t* to, int channels, int count,
+                         std::uint8_t base, std::uint8_t* differences) {
   if (channels == 1) {
-    StepCostsOfRow<1>(from, to, count, costs);
+    DifferencesOfRow<1>(from, to, count, base, differences);
   } else if (channels == 3) {
-    StepCostsOfRow<3>(from, to, count, costs);
+    DifferencesOfRow<3>(from, to, count, base, differences);
   } else {
-    StepCostsOfRow<4>(from, to, count, costs);
+    DifferencesOfRow<4>(from, to, count, base, differences);
   }
 }
 
@@ -79,11 +78,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace stereo_sgmp {
 
-HWY_EXPORT(StepCostsOnTarget);
+HWY_EXPORT(DifferencesOnTarget);
 
-void StepCosts(const std::uint8_t* from, const std::uint8_t* to, int channels, int count,
-               std::uint8_t* costs) {
-  HWY_DYNAMIC_DISPATCH(StepCostsOnTarget)(from, to, channels, count, costs);
+void PixelDifferences(const std::uint8_t* from, const std::uint8_t* to, int channels, int count,
+                      std::uint8_t base, std::uint8_t* differences) {
+  HWY_DYNAMIC_DISPATCH(DifferencesOnTarget)(from, to, channels, count, base, differences);
 }
 
 }  // namespace stereo_sgmp
