@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "common/byte_counts.h"
+
 namespace stereo_sgmp {
 namespace {
 
@@ -43,11 +45,23 @@ double RadiometricFitter::Error(const GrayPair& pair, const RadiometricFit& fit)
 }
 
 double RadiometricFitter::MedianDeviation(const RadiometricFit& fit) {
+  // Only those in the same half of a gray level as the median are put in order.
+  const auto byte_of = [](double deviation) {
+    return static_cast<int>(std::min(2.0 * deviation, 255.0));
+  };
   deviations_.clear();
-  for (const GrayPair& pair : pairs_) deviations_.push_back(std::abs(Error(pair, fit)));
-  const auto middle = deviations_.begin() + static_cast<std::ptrdiff_t>(deviations_.size() / 2);
-  std::nth_element(deviations_.begin(), middle, deviations_.end());
-  return *middle;
+  ByteCounts counts;
+  for (const GrayPair& pair : pairs_) {
+    deviations_.push_back(std::abs(Error(pair, fit)));
+    counts.Add(byte_of(deviations_.back()));
+  }
+  std::size_t rank = deviations_.size() / 2;
+  const int byte = counts.Find(&rank);
+  const auto end = std::remove_if(deviations_.begin(), deviations_.end(),
+                                  [&](double deviation) { return byte_of(deviation) != byte; });
+  const auto median = deviations_.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(deviations_.begin(), median, end);
+  return *median;
 }
 
 bool RadiometricFitter::Refit(double scale, RadiometricFit* fit) const {

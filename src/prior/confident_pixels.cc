@@ -1,11 +1,12 @@
 #include "prior/confident_pixels.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
+
+#include "common/byte_counts.h"
 
 namespace stereo_sgmp {
 namespace {
@@ -35,25 +36,6 @@ bool MatchesRight(const float* disparity, const std::uint16_t* right, int x, int
   if (x_right < 0 || x_right >= width) return false;
   return std::abs(right[x_right] + min_disparity - d) <= kLeftRightTolerance;
 }
-
-// Counts of a byte of the values, from which the one of a rank follows.
-class ByteCounts {
- public:
-  void Add(int byte) { ++counts_[static_cast<std::size_t>(byte)]; }
-
-  // The byte of the value that `*rank` smaller ones come before, and of those with the same byte
-  // *rank.
-  int Find(std::size_t* rank) const {
-    int byte = 0;
-    while (*rank >= counts_[static_cast<std::size_t>(byte)]) {
-      *rank -= counts_[static_cast<std::size_t>(byte++)];
-    }
-    return byte;
-  }
-
- private:
-  std::array<std::size_t, 256> counts_{};
-};
 
 template <class Body>
 void ForEachValue(const cv::Mat& image, const Body& body) {
