@@ -78,7 +78,10 @@ void Sweep<T>::RunGroup(int group, Workspace* workspace) {
   place.group = group;
   const int first = job_.begin + group * kRowsPerGroup;
   place.rows = std::min(kRowsPerGroup, job_.end - first);
-  for (int row = 0; row < place.rows; ++row) StartRow(row, ImageRow(first + row), workspace);
+  for (place.row = 0; place.row < place.rows; ++place.row) {
+    place.v = first + place.row;
+    StartRow(place, workspace);
+  }
   const int span = width + place.rows - 1;  // the last row runs rows - 1 pixels behind
   for (int begin = 0; begin < span; begin += kStretch) {
     for (int row = 0; row < place.rows; ++row) {
@@ -99,16 +102,48 @@ void Sweep<T>::RunGroup(int group, Workspace* workspace) {
 }
 
 template <class T>
-void Sweep<T>::StartRow(int row, int y, Workspace* workspace) const {
-  const auto k = static_cast<std::size_t>(row);
+void Sweep<T>::StartRow(const RowPlace& place, Workspace* workspace) const {
+  const auto k = static_cast<std::size_t>(place.row);
+  const int y = ImageRow(place.v);
   const std::size_t slot = PathSlot<T>::Size(shape_.Stride());
   AcrossState<T>& across = workspace->across[k];
   across.before = workspace->slots.data() + 2 * k * slot + PathSlot<T>::kPad;
   across.here = across.before + slot;
-  if (job_.kind != SweepKind::kLast) return;
-  AlignedBuffer<T>& right = workspace->right[k];
-  std::fill_n(right.data(), right.size(), std::numeric_limits<T>::max());
-  std::fill_n(job_.winners->right_winner[y], shape_.width, WinnerMap::kNone);
+  SweepStretch<T>& s = workspace->stretches[k];
+  s = SweepStretch<T>();
+  s.kind = job_.kind;
+  s.paths = job_.paths;
+  s.width = shape_.width;
+  s.all_disparities = shape_.disparities;
+  s.stride = shape_.Stride();
+  s.x_step = job_.backward ? -1 : 1;
+  s.has_above = place.v > 0;
+  s.above = Above(place, *workspace);
+  s.current = Current(place, *workspace);
+  s.across = &across;
+  s.p1 = static_cast<T>(job_.penalties->p1);
+  s.p2 = p2_.data();
+  s.start = start_.data() + PathSlot<T>::kPad;
+  s.excess = workspace->excess.data();
+  s.unit = static_cast<std::uint16_t>(job_.costs->unit());
+  if (job_.prior != nullptr) {
+    s.jumps = &workspace->jumps[k].rows;
+    s.moves = workspace->jumps[k].moves.data();
+    s.jump_slack = job_.penalties->slack;
+    s.moved = workspace->slots.data() + 2 * kRowsPerGroup * slot;
+  }
+  if (job_.kind == SweepKind::kLast) StartWinners(y, &workspace->right[k], &s);
+}
+
+template <class T>
+void Sweep<T>::StartWinners(int y, AlignedBuffer<T>* right, SweepStretch<T>* stretch) const {
+  WinnerMap& map = *job_.winners;
+  std::fill_n(right->data(), right->size(), std::numeric_limits<T>::max());
+  std::fill_n(map.right_winner[y], shape_.width, WinnerMap::kNone);
+  stretch->winners = {map.winner[y],     map.cost[y],   map.cost_below[y],
+                      map.cost_above[y], map.second[y], map.uncertainty[y]};
+  stretch->right = {right->data(), right->data() + stretch->stride, map.right_winner[y],
+                    shape_.min_disparity};
 }
 
 template <class T>
@@ -141,47 +176,23 @@ void Sweep<T>::RunPart(const RowPlace& place, int u_begin, int u_end, Workspace*
   const int y = ImageRow(place.v);
   const int x_begin = ImageColumn(u_begin, u_end);
   const int x_end = x_begin + u_end - u_begin;
-  const std::ptrdiff_t stride = shape_.Stride();
-
-  SweepStretch<T> s;
-  s.kind = job_.kind;
-  s.paths = job_.paths;
+  SweepStretch<T>& s = workspace->stretches[static_cast<std::size_t>(place.row)];
   s.u_begin = u_begin;
   s.u_end = u_end;
-  s.width = shape_.width;
-  s.all_disparities = shape_.disparities;
   s.disparities = ReachedDisparities(shape_, x_begin);
-  s.stride = stride;
-  s.x_step = job_.backward ? -1 : 1;
   s.x_first = job_.backward ? x_end - 1 : x_begin;
   const std::uint8_t* costs = job_.costs->Row(y, x_begin, x_end, workspace->cost.data());
-  s.cost = costs + (s.x_first - x_begin) * stride;
+  s.cost = costs + (s.x_first - x_begin) * s.stride;
   s.has_stored_costs = costs != workspace->cost.data();
-  s.has_above = place.v > 0;
-  s.above = Above(place, *workspace);
-  s.current = Current(place, *workspace);
-  s.across = &workspace->across[static_cast<std::size_t>(place.row)];
-  s.p1 = static_cast<T>(job_.penalties->p1);
-  s.p2 = p2_.data();
-  s.start = start_.data() + PathSlot<T>::kPad;
-  s.excess = workspace->excess.data();
-  s.unit = static_cast<std::uint16_t>(job_.costs->unit());
   for (int i = 0; i < job_.paths; ++i) {
     const auto path = static_cast<std::size_t>(i);
     // The contrast of a step is that of the opposite step from its other end.
     const PathStep end = job_.backward ? kForwardSteps[path] : PathStep{0, 0};
     s.contrast[path] = job_.contrast->Row(static_cast<Path>(i), y + end.dy) + s.x_first + end.dx;
   }
-  if (job_.prior != nullptr) {
-    const JumpSpan& span = workspace->jumps[static_cast<std::size_t>(place.row)];
-    s.jumps = &span.rows;
-    s.moves = span.moves.data();
-    s.first_jump = s.x_first - span.x_begin;
-    s.jump_slack = job_.penalties->slack;
-    s.moved =
-        workspace->slots.data() + 2 * kRowsPerGroup * PathSlot<T>::Size(static_cast<int>(stride));
-  }
-  AddOutputs(y, workspace->right[static_cast<std::size_t>(place.row)].data(), &s);
+  const int first_jump_column = workspace->jumps[static_cast<std::size_t>(place.row)].x_begin;
+  s.first_jump = s.x_first - first_jump_column;
+  PlaceSums(y, &s);
   SweepPixels(s);
 }
 
@@ -208,7 +219,7 @@ void Sweep<T>::AskPrior(const RowPlace& place, int u_begin, int u_end, JumpSpan*
 }
 
 template <class T>
-void Sweep<T>::AddOutputs(int y, T* right, SweepStretch<T>* stretch) const {
+void Sweep<T>::PlaceSums(int y, SweepStretch<T>* stretch) const {
   if (job_.kind == SweepKind::kStates) return;
   const std::ptrdiff_t pixel = static_cast<std::ptrdiff_t>(y) * shape_.width + stretch->x_first;
   const std::ptrdiff_t last = static_cast<std::ptrdiff_t>(job_.sum_rows_end) * shape_.width - 1;
@@ -217,11 +228,6 @@ void Sweep<T>::AddOutputs(int y, T* right, SweepStretch<T>* stretch) const {
   if (job_.kind == SweepKind::kSharpen) {
     stretch->sharpened = job_.sharpened + pixel * stretch->stride;
   }
-  if (job_.kind != SweepKind::kLast) return;
-  WinnerMap& map = *job_.winners;
-  stretch->winners = {map.winner[y],     map.cost[y],   map.cost_below[y],
-                      map.cost_above[y], map.second[y], map.uncertainty[y]};
-  stretch->right = {right, right + stretch->stride, map.right_winner[y], shape_.min_disparity};
 }
 
 template class Sweep<std::uint8_t>;

@@ -75,6 +75,7 @@ class Sweep {
     AlignedBuffer<T> slots;
     AlignedBuffer<T> excess;
     std::array<AcrossState<T>, kRowsPerGroup> across;
+    std::array<SweepStretch<T>, kRowsPerGroup> stretches;  // that each row is at
     AlignedBuffer<std::uint8_t> cost;
     std::array<JumpSpan, kRowsPerGroup> jumps;
     std::array<AlignedBuffer<T>, kRowsPerGroup> right;  // RightRow: costs, indices
@@ -94,7 +95,9 @@ class Sweep {
   void PrepareWorkspace(Workspace* workspace) const;
   void RunThread(int thread, int threads);
   void RunGroup(int group, Workspace* workspace);
-  void StartRow(int row, int y, Workspace* workspace) const;
+  // Prepares what is the same for all stretches of a row.
+  void StartRow(const RowPlace& place, Workspace* workspace) const;
+  void StartWinners(int y, AlignedBuffer<T>* right, SweepStretch<T>* stretch) const;
   void RunStretch(const RowPlace& place, int u_begin, int u_end, Workspace* workspace);
   void RunPart(const RowPlace& place, int u_begin, int u_end, Workspace* workspace);
   StateLine<T> Above(const RowPlace& place, const Workspace& workspace) const;
@@ -103,7 +106,7 @@ class Sweep {
     return job_.backward ? shape_.width - u_end : u_begin;
   }
   void AskPrior(const RowPlace& place, int u_begin, int u_end, JumpSpan* span) const;
-  void AddOutputs(int y, T* right, SweepStretch<T>* stretch) const;
+  void PlaceSums(int y, SweepStretch<T>* stretch) const;
 
   int ImageRow(int v) const { return job_.backward ? shape_.height - 1 - v : v; }
   int Groups() const { return (job_.end - job_.begin + kRowsPerGroup - 1) / kRowsPerGroup; }
