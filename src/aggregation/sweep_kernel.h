@@ -98,6 +98,9 @@ struct SweepStretch {
 void SweepPixels(const SweepStretch<std::uint8_t>& stretch);
 void SweepPixels(const SweepStretch<std::uint16_t>& stretch);
 
+// Those along the axes only, which the former calls.
+void SweepAxisPixels(const SweepStretch<std::uint8_t>& stretch);
+
 }  // namespace stereo_sgmp
 
 #endif  // STEREO_SGMP_AGGREGATION_SWEEP_KERNEL_H_
