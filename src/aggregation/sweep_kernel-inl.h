@@ -169,7 +169,8 @@ template <class T, int kPaths, class Shape>
 void SweepPart(const SweepStretch<T>& s) {
   switch (s.kind) {
     case SweepKind::kStates:
-      return States<T, kPaths, Shape>(s);
+      if constexpr (!Shape::kIsFull) States<T, kPaths, Shape>(s);
+      return;
     case SweepKind::kFirst:
       return First<T, kPaths, Shape>(s);
     case SweepKind::kSharpen:
@@ -183,8 +184,9 @@ void SweepPart(const SweepStretch<T>& s) {
 
 template <class T, int kPaths, int kVectors>
 void SweepVectors(const SweepStretch<T>& s) {
+  // Not for what is rare: each shape takes seconds to compile.
   if constexpr (kPaths == kPathsPerSweep && kVectors != kAnyVectors) {
-    if (s.disparities % kLanes<T> == 0)
+    if (s.kind != SweepKind::kStates && s.disparities % kLanes<T> == 0)
       return SweepPart<T, kPaths, PixelShape<T, kVectors, true>>(s);
   }
   return SweepPart<T, kPaths, PixelShape<T, kVectors, false>>(s);

@@ -136,7 +136,7 @@ void ExpectSame(const WinnerMap& got, const WinnerMap& expected) {
 constexpr Case kSizes[] = {{1, 1, 1, 0},    {1, 9, 2, 0},     {7, 1, 5, -2},    {5, 4, 31, 0},
                            {33, 6, 32, 0},  {40, 9, 33, 3},   {70, 5, 65, 0},   {65, 11, 20, -9},
                            {31, 8, 64, 40}, {3, 13, 130, 0},  {4, 5, 320, 0},   {3, 4, 400, 1},
-                           {90, 4, 100, 2}, {140, 3, 140, 5}, {270, 2, 256, -3}};
+                           {90, 4, 100, 2}, {140, 3, 140, 5}, {200, 1, 256, -3}};
 
 class AggregatorTest : public ::testing::Test {
  protected:

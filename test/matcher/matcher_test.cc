@@ -141,9 +141,8 @@ Options WideOptions() {
   return options;
 }
 
-TEST(MatcherTest, SearchesNoFurtherThanTheSceneComes) {
+void ExpectSearchedNoFurtherThanFarSurface(Options options) {
   const GeneratedScene scene = FarSurface();
-  Options options = WideOptions();
   const MatchResult narrow = MatchOnce(options, scene.left, scene.right);
   EXPECT_EQ(narrow.statistics.searched_disparities, 64);
   options.narrow_range = false;
@@ -153,19 +152,16 @@ TEST(MatcherTest, SearchesNoFurtherThanTheSceneComes) {
             1.01 * ShareOfErrors(full.dense, scene.disparity));
 }
 
+TEST(MatcherTest, SearchesNoFurtherThanTheSceneComes) {
+  ExpectSearchedNoFurtherThanFarSurface(WideOptions());
+}
+
 // Nothing else needs the coarse pass then.
 TEST(MatcherTest, SearchesNoFurtherWithCensusAndWithoutPrior) {
-  const GeneratedScene scene = FarSurface();
   Options options = WideOptions();
   options.cost.kind = CostKind::kCensus;
   options.prior.variant = Variant::kSgm;
-  const MatchResult narrow = MatchOnce(options, scene.left, scene.right);
-  EXPECT_EQ(narrow.statistics.searched_disparities, 64);
-  options.narrow_range = false;
-  const MatchResult full = MatchOnce(options, scene.left, scene.right);
-  EXPECT_EQ(full.statistics.searched_disparities, 192);
-  EXPECT_LE(ShareOfErrors(narrow.dense, scene.disparity),
-            1.01 * ShareOfErrors(full.dense, scene.disparity));
+  ExpectSearchedNoFurtherThanFarSurface(options);
 }
 
 // What is given may know of surfaces that the coarse pass does not see.
