@@ -32,7 +32,7 @@ HWY_INLINE VU FractionsAt(const PlaneRun& plane, VU steps) {
 template <class Mask>
 HWY_INLINE std::uint64_t BitsOf(Mask mask) {
 #if HWY_TARGET <= HWY_AVX3
-  return mask.raw;
+  return mask.raw;  // has the bits as they are; storing them takes them apart
 #else
   std::uint8_t bits[8] = {};
   const std::size_t bytes = hn::StoreMaskBits(Unsigned(), mask, bits);
@@ -110,7 +110,8 @@ HWY_INLINE void FindCells(const PlaneRun* planes, int plane_count, VU steps, VS 
   *end = hn::IfThenElse(hn::Ne(has_none, hn::Zero(d)), *begin, FirstNearer(own, above, all));
 }
 
-// Fills `begin` and `end` of the `count` cells that are listed, and takes the jumps of empty ones.
+// Fills `begin` and `end` of the `count` cells that are listed, and
+// takes the jumps away from those that are empty.
 HWY_INLINE void FindAllCells(const PlaneRuns& runs, int count, PlaneMoves* moves) {
   const Signed d;
   for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
