@@ -8,7 +8,7 @@
 #include "aggregation/contrast.h"
 #include "aggregation/penalties.h"
 #include "aggregation/row_strips.h"
-#include "aggregation/sweep.h"
+#include "aggregation/sweep_pair.h"
 #include "common/aligned_buffer.h"
 #include "cost/cost_unit.h"
 
@@ -52,15 +52,15 @@ std::size_t MemoryOf(const VolumeShape& shape, PathScheme scheme, int threads, i
   constexpr std::size_t kWinnerMapBytes = 7 * sizeof(std::uint16_t);
   return sum + lines * StateLineBuffer<T>::Bytes(shape.width, shape.Stride()) + sharpened +
          pixels * (sizeof(std::uint16_t) + kPathsPerSweep + kWinnerMapBytes) +
-         Sweep<T>::Memory(shape, threads);
+         SweepPair<T>::Memory(shape, threads);
 }
 
 // Rounds of sweeps with messages of type T.
 template <class T>
 class Rounds {
  public:
-  // A forward and a backward sweep over all rows; the latter ends as `last` says.
-  void Run(SweepJob<T> job, SweepKind last, const RowStrips& strips, ThreadPool* pool) {
+  // A forward and a backward sweep over all rows; what they sum up ends as `completion` says.
+  void Run(SweepJob<T> job, SweepKind completion, const RowStrips& strips, ThreadPool* pool) {
     sum_.Resize(static_cast<std::size_t>(strips.rows()) *
                 (job.costs->shape().PaddedSize() / static_cast<std::size_t>(strips.height())));
     job.sum = sum_.data();
@@ -68,18 +68,10 @@ class Rounds {
     for (int strip = strips.Count(); strip-- > 0;) {
       job.begin = strips.Begin(strip);
       job.end = strips.End(strip);
-      job.sum_rows_end = job.end;
-      job.kind = SweepKind::kFirst;
-      job.backward = false;
-      sweep_.Run(job, Checkpoint(strip), nullptr, pool);
-      const int height = strips.height();
-      job.begin = height - strips.End(strip);
-      job.end = height - strips.Begin(strip);
-      job.kind = last;
-      job.backward = true;
-      const bool parity = strip % 2 != 0;
-      sweep_.Run(job, job.begin > 0 ? &backward_[parity ? 0 : 1] : nullptr,
-                 strip > 0 ? &backward_[parity ? 1 : 0] : nullptr, pool);
+      const auto parity = static_cast<std::size_t>(strip % 2);
+      sweeps_.Run(job, completion, Checkpoint(strip),
+                  job.end < strips.height() ? &backward_[1 - parity] : nullptr,
+                  strip > 0 ? &backward_[parity] : nullptr, pool);
     }
   }
 
@@ -87,20 +79,19 @@ class Rounds {
   // The messages of the forward sweep from each strip to the next.
   void SaveCheckpoints(SweepJob<T> job, const RowStrips& strips, ThreadPool* pool) {
     checkpoints_.resize(static_cast<std::size_t>(strips.Count() - 1));
-    job.kind = SweepKind::kStates;
-    job.backward = false;
     for (int strip = 0; strip + 1 < strips.Count(); ++strip) {
       job.begin = strips.Begin(strip);
       job.end = strips.End(strip);
-      sweep_.Run(job, Checkpoint(strip), &checkpoints_[static_cast<std::size_t>(strip)], pool);
+      sweeps_.RunStates(job, Checkpoint(strip), &checkpoints_[static_cast<std::size_t>(strip)],
+                        pool);
     }
   }
 
-  const StateLineBuffer<T>* Checkpoint(int strip) const {
+  StateLineBuffer<T>* Checkpoint(int strip) {
     return strip > 0 ? &checkpoints_[static_cast<std::size_t>(strip) - 1] : nullptr;
   }
 
-  Sweep<T> sweep_;
+  SweepPair<T> sweeps_;
   AlignedBuffer<T> sum_;  // of the rows of a strip
   std::vector<StateLineBuffer<T>> checkpoints_;
   std::array<StateLineBuffer<T>, 2> backward_;

@@ -24,11 +24,10 @@ struct PathPrior {
 // Semi-global aggregation of matching costs (SGM, Section 3.1), with an orientation prior if
 // there is one (SGM-P, Sections 3.2 and 3.3).
 //
-// Two sweeps of four paths each: the first, from the top left, stores the sum of its path costs;
-// the second, from the bottom right, adds its own and reads the winners off S(p, d). The rows of
-// a sweep are spread over threads as a wavefront, so that the result does not depend on their
-// number. Path costs have 8 bits where C + P2 fits them (compact costs), else 16. Buffers are
-// kept between calls.
+// Two sweeps of four paths each, from the top left and from the bottom right: each stores the sums
+// of its path costs until they meet; then each adds its own to those that the other has stored, and
+// reads the winners off S(p, d). The result does not depend on the number of threads. Path costs
+// have 8 bits where C + P2 fits them (compact costs), else 16. Buffers are kept between calls.
 class Aggregator {
  public:
   Aggregator();

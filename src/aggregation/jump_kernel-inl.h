@@ -16,6 +16,7 @@
 
 #include "aggregation/lane_masks.h"
 #include "aggregation/lanes-inl.h"
+#include "aggregation/message_kernel-inl.h"
 #include "aggregation/path_state.h"
 #include "prior/orientation_prior.h"
 
@@ -24,10 +25,11 @@ namespace stereo_sgmp {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A message on its way, and what it costs not to follow the jump; less than 0: no way around it.
+// A message, which moves where it stands, since one pixel alone receives it, and what it costs not
+// to follow the jump; less than 0: no way around it.
 template <class T>
 struct Journey {
-  const T* message;
+  T* message;
   int disparities;      // of the pixel that it arrives at
   int all_disparities;  // of the volume: the pixel that it comes from may have more or fewer
   int slack;
@@ -66,72 +68,76 @@ HWY_INLINE void Arrive(const JumpSegment& segment, const Journey<T>& journey, T*
   }
 }
 
-// What arrives where all disparities move by up to PathSlot::kPad.
+// Of the lanes of the vector at disparity index t, those of the indices [begin, end).
 template <class T>
-HWY_INLINE void MoveAll(int jump, const Journey<T>& journey, T* moved) {
+HWY_INLINE hn::Mask<Tag<T>> LanesOf(int begin, int end, int t) {
   const Tag<T> d;
-  const Lanes<T> price = hn::Set(d, PriceOfStaying(journey));
-  for (int t = 0; t < journey.disparities; t += kLanes<T>) {
-    const Lanes<T> stays = hn::SaturatedAdd(hn::Load(d, journey.message + t), price);
-    hn::Store(hn::Min(stays, hn::LoadU(d, journey.message + t - jump)), d, moved + t);
-  }
+#if HWY_TARGET <= HWY_AVX3
+  const auto below = [d, t](int index) HWY_ATTR {
+    return hn::FirstN(d, static_cast<std::size_t>(std::clamp(index - t, 0, kLanes<T>)));
+  };
+  return hn::AndNot(below(begin), below(end));
+#else
+  const auto from = [d, t](int index)
+                        HWY_ATTR { return hn::LoadU(d, RangeMasks<T>::From(index) + t); };
+  return hn::MaskFromVec(hn::AndNot(from(end), from(begin)));
+#endif
 }
 
-// What arrives where one cell moves by up to PathSlot::kPad, in one pass over the message.
+// Moves the disparities of several segments, or by more than PathSlot::kPad. `scratch` has room for
+// a message.
 template <class T>
-HWY_INLINE void MoveCell(const JumpSegment& cell, const Journey<T>& journey, T* moved) {
+HWY_NOINLINE void MoveSegments(const JumpRow& row, std::size_t entry, Journey<T> journey,
+                               T* scratch) {
   const Tag<T> d;
-  const Lanes<T> price = hn::Set(d, PriceOfStaying(journey));
-  const T* from_begin = RangeMasks<T>::From(cell.begin);
-  const T* from_end = RangeMasks<T>::From(cell.end);
-  for (int t = 0; t < journey.disparities; t += kLanes<T>) {
-    const Lanes<T> leaves = hn::AndNot(hn::LoadU(d, from_end + t), hn::LoadU(d, from_begin + t));
-    const Lanes<T> comes = hn::AndNot(hn::LoadU(d, from_end + t - cell.jump),
-                                      hn::LoadU(d, from_begin + t - cell.jump));
-    const Lanes<T> here = hn::Load(d, journey.message + t);
-    const Lanes<T> from_afar = hn::LoadU(d, journey.message + t - cell.jump);
-    const Lanes<T> stays = hn::SaturatedAdd(here, hn::And(leaves, price));
-    hn::Store(hn::Min(stays, hn::Or(from_afar, hn::Not(comes))), d, moved + t);
-  }
-}
-
-// The same for any number of segments and any distance.
-template <class T>
-HWY_INLINE void MoveSegments(const JumpSegment* segments, int count, const Journey<T>& journey,
-                             T* moved) {
-  Stay(journey, moved);
-  for (int i = 0; i < count; ++i) Arrive(segments[i], journey, moved);
-}
-
-// The least of M_r(p, d) over the d with d + j_p(d) = t, and of M_r(p, t) + slack if slack >= 0,
-// for every t. Points into the message where that will do, else into the slot `scratch`.
-template <class T>
-HWY_INLINE const T* MoveMessage(const JumpRow& row, std::size_t entry, const Journey<T>& journey,
-                                T* scratch) {
-  const int jump = row.jump[entry];
-  if (jump == 0) return journey.message;
-  T* moved = scratch + PathSlot<T>::kPad;
-  if (jump == JumpRow::kVaries) {
-    MoveSegments(row.segments.data() + row.first_segment[entry], row.segment_count[entry], journey,
-                 moved);
-    return moved;
-  }
-  const int begin = row.begin[entry];
-  const int end = std::min<int>(row.end[entry], journey.all_disparities);
-  if (std::abs(jump) > PathSlot<T>::kPad) {
-    const JumpSegment segments[] = {
-        {0, begin, 0}, {begin, end, jump}, {end, journey.all_disparities, 0}};
-    MoveSegments(segments, 3, journey, moved);
-    return moved;
-  }
-  const bool moves_all = begin == 0 && end == journey.all_disparities;
-  if (moves_all && journey.slack < 0) return journey.message - jump;
-  if (moves_all) {
-    MoveAll(jump, journey, moved);
+  Stay(journey, scratch);
+  if (row.jump[entry] == JumpRow::kVaries) {
+    const JumpSegment* const segments = row.segments.data() + row.first_segment[entry];
+    for (int i = 0; i < row.segment_count[entry]; ++i) Arrive(segments[i], journey, scratch);
   } else {
-    MoveCell({begin, end, jump}, journey, moved);
+    const int begin = row.begin[entry];
+    const int end = std::min<int>(row.end[entry], journey.all_disparities);
+    Arrive({0, begin, 0}, journey, scratch);
+    Arrive({begin, end, row.jump[entry]}, journey, scratch);
+    Arrive({end, journey.all_disparities, 0}, journey, scratch);
   }
-  return moved;
+  for (int t = 0; t < journey.disparities; t += kLanes<T>) {
+    hn::Store(hn::Load(d, scratch + t), d, journey.message + t);
+  }
+}
+
+// Moves the disparities [begin, end) by up to PathSlot::kPad, in one pass over the message, against
+// the direction of the jump.
+template <class T, class Shape>
+HWY_INLINE void MoveCell(const Shape& shape, int begin, int end, int jump,
+                         const Journey<T>& journey) {
+  const Tag<T> d;
+  const Lanes<T> price = hn::Set(d, PriceOfStaying(journey));
+  const Lanes<T> unreachable = hn::Set(d, PathSlot<T>::kUnreachable);
+  const int last = shape.Count() - 1;
+  for (int i = 0; i <= last; ++i) {
+    const int t = (jump > 0 ? last - i : i) * kLanes<T>;
+    const auto leaves = LanesOf<T>(begin, end, t);
+    const auto comes = LanesOf<T>(begin + jump, end + jump, t);
+    const Lanes<T> here = hn::Load(d, journey.message + t);
+    const Lanes<T> from_afar = hn::LoadU(d, journey.message + t - jump);
+    const Lanes<T> stays = hn::IfThenElse(leaves, hn::SaturatedAdd(here, price), here);
+    hn::Store(hn::Min(stays, hn::IfThenElse(comes, from_afar, unreachable)), d,
+              journey.message + t);
+  }
+}
+
+// Leaves of a message the least of M_r(p, d) over the d with d + j_p(d) = t, and of M_r(p, t) +
+// slack if slack >= 0, for every t.
+template <class T, class Shape>
+HWY_INLINE void MoveMessage(const Shape& shape, const JumpRow& row, std::size_t entry,
+                            const Journey<T>& journey, T* scratch) {
+  const int jump = row.jump[entry];
+  if (HWY_UNLIKELY(jump < -PathSlot<T>::kPad || jump > PathSlot<T>::kPad)) {
+    return MoveSegments(row, entry, journey, scratch);
+  }
+  const int end = std::min<int>(row.end[entry], journey.all_disparities);
+  MoveCell(shape, row.begin[entry], end, jump, journey);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -64,6 +64,7 @@ class StateLineBuffer {
     const bool same_layout =
         slots_.size() == size && line_.slot == slot && disparities_ == disparities;
     disparities_ = disparities;
+    has_moved_ = false;
     slots_.Resize(size);
     if (!same_layout) std::fill_n(slots_.data(), size, PathSlot<T>::kUnreachable);
     line_.slots = slots_.data();
@@ -72,6 +73,10 @@ class StateLineBuffer {
   }
 
   const StateLine<T>& line() const { return line_; }
+
+  // Whether the prior has moved its messages already: a sweep from here may be repeated.
+  bool has_moved() const { return has_moved_; }
+  void SetMoved() { has_moved_ = true; }
 
   static std::size_t Bytes(int places, int stride) {
     return static_cast<std::size_t>(places) * StateLine<T>::kPaths * PathSlot<T>::Size(stride) *
@@ -82,6 +87,7 @@ class StateLineBuffer {
   AlignedBuffer<T> slots_;
   StateLine<T> line_;
   int disparities_ = 0;
+  bool has_moved_ = false;
 };
 
 // The slots of the path along the row: the pixel before and the pixel itself take turns.

@@ -8,6 +8,8 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -30,11 +32,26 @@ HWY_INLINE Lanes<T> OfferOf(Lanes<T> excess, Lanes<T> base) {
   }
 }
 
+// The winners of all right pixels in a window of `lanes`, of which `first` stands in the first
+// lane, the one to its left in the second and so on.
+template <class T>
+HWY_NOINLINE void WriteRightWinners(const SweepStretch<T>& s, int lanes, int first) {
+  const RightRow<T>& right = s.right;
+  const int end = std::min(lanes, first + 1);
+  for (int lane = std::max(0, first - s.width + 1); lane < end; ++lane) {
+    if (right.best[lane] == std::numeric_limits<T>::max()) continue;
+    unsigned index = right.index[lane];
+    if constexpr (sizeof(T) == 1) index |= unsigned{right.index[s.stride + lane]} << 8;
+    right.winner[first - lane] = static_cast<std::uint16_t>(index);
+  }
+}
+
 // The right pixels that a left one can match, lane k that at disparity index k: the least offer
-// so far, and its index. The sweep goes through the row with x falling, so the match in the first
-// lane is done with after each pixel and all others move by a lane. It meets the disparities of a
-// right pixel from large to small: of equal offers the later has the smaller index.
-template <class T, class Shape>
+// so far, and its index. From one left pixel of the row to the next all move by a lane. Going
+// forward, each meets its disparities from small to large and leaves behind the last lane; going
+// backward, from large to small, and leaves before the first. Of equal offers the one of the
+// smaller index stays.
+template <class T, class Shape, bool kForward>
 class RightWindow {
  public:
   RightWindow(const SweepStretch<T>& s, const Shape& shape) : s_(s), shape_(shape) {
@@ -48,33 +65,26 @@ class RightWindow {
 
   // Of the disparity indices of vector v. The largest number is no offer.
   HWY_INLINE void Offer(int v, Lanes<T> offer) {
-    best_[v] = hn::Min(offer, best_[v]);
-    const auto takes = hn::Eq(best_[v], offer);
+    const Lanes<T> best = hn::Min(offer, best_[v]);
+    const auto stays = kForward ? hn::Eq(best, best_[v]) : hn::Ne(best, offer);
+    best_[v] = best;
     for (int part = 0; part < kIndexParts; ++part) {
-      index_[part][v] = hn::IfThenElse(takes, IndicesOf(part, v), index_[part][v]);
+      index_[part][v] = hn::IfThenElse(stays, index_[part][v], IndicesOf(part, v));
     }
   }
 
-  // After the offers of a left pixel: returns the winner of the right pixel that is done with, a
-  // disparity index or WinnerMap::kNone.
-  HWY_INLINE std::uint16_t Leave() {
-    const std::uint16_t winner = FirstWinner();
-    const Lanes<T> none = hn::Set(Tag<T>(), kNoOffer);
-    Shift(none, best_);
-    for (int part = 0; part < kIndexParts; ++part) Shift(none, index_[part]);
+  // On to the next left pixel: returns the winner of the right pixel that leaves, a disparity index
+  // or WinnerMap::kNone.
+  HWY_INLINE std::uint16_t Move() {
+    const std::uint16_t winner = LeavingWinner();
+    Shift(hn::Set(Tag<T>(), kNoOffer), best_);
+    for (int part = 0; part < kIndexParts; ++part) Shift(hn::Zero(Tag<T>()), index_[part]);
     return winner;
   }
 
-  // Leaves the window to the next stretch or, at the end of the row, the winners to the image. `x`
-  // is that of the last left pixel.
-  HWY_INLINE void Finish(int x) {
-    if (s_.u_end == s_.width) {
-      for (int right = x - 1 - s_.right.min_disparity; right >= 0; --right) {
-        const std::uint16_t winner = Leave();
-        if (right < s_.width) s_.right.winner[right] = winner;
-      }
-      return;
-    }
+  // Leaves the window to the next stretch or, at the end of the row, the winners to the image.
+  // `first` is the right pixel in the first lane.
+  HWY_INLINE void Finish(int first) {
     for (int v = 0; v < Count(); ++v) {
       hn::Store(best_[v], Tag<T>(), s_.right.best + v * kLanes<T>);
       for (int part = 0; part < kIndexParts; ++part) {
@@ -85,6 +95,7 @@ class RightWindow {
         hn::Store(hn::Zero(Tag<T>()), Tag<T>(), IndexPart(1) + v * kLanes<T>);
       }
     }
+    if (s_.u_end == s_.width) WriteRightWinners<T>(s_, Count() * kLanes<T>, first);
   }
 
  private:
@@ -102,16 +113,27 @@ class RightWindow {
     return part == 0 ? hn::Iota(d, static_cast<T>(first)) : hn::Set(d, static_cast<T>(first >> 8));
   }
 
-  HWY_INLINE std::uint16_t FirstWinner() const {
-    if (hn::GetLane(best_[0]) == kNoOffer) return WinnerMap::kNone;
-    unsigned index = hn::GetLane(index_[0][0]);
-    if constexpr (kIndexParts == 2) index |= unsigned{hn::GetLane(index_[1][0])} << 8;
+  static HWY_INLINE T LeavingLane(const Lanes<T>* vectors, int count) {
+    return kForward ? hn::ExtractLane(vectors[count - 1], static_cast<std::size_t>(kLanes<T> - 1))
+                    : hn::GetLane(vectors[0]);
+  }
+
+  HWY_INLINE std::uint16_t LeavingWinner() const {
+    if (LeavingLane(best_, Count()) == kNoOffer) return WinnerMap::kNone;
+    unsigned index = LeavingLane(index_[0], Count());
+    if constexpr (kIndexParts == 2) index |= unsigned{LeavingLane(index_[1], Count())} << 8;
     return static_cast<std::uint16_t>(index);
   }
 
-  HWY_INLINE void Shift(Lanes<T> behind, Lanes<T>* vectors) const {
-    for (int v = 0; v < Count(); ++v) {
-      vectors[v] = FromAbove<T>(vectors[v], v + 1 < Count() ? vectors[v + 1] : behind);
+  HWY_INLINE void Shift(Lanes<T> enters, Lanes<T>* vectors) const {
+    if constexpr (kForward) {
+      for (int v = Count() - 1; v >= 0; --v) {
+        vectors[v] = FromBelow<T>(v > 0 ? vectors[v - 1] : enters, vectors[v]);
+      }
+    } else {
+      for (int v = 0; v < Count(); ++v) {
+        vectors[v] = FromAbove<T>(vectors[v], v + 1 < Count() ? vectors[v + 1] : enters);
+      }
     }
   }
 

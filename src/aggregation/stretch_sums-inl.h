@@ -20,30 +20,38 @@ namespace stereo_sgmp {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// S of a pixel: it is stored from the last pixel of the image to the first, so that the backward
-// sweep, which has to wait for it, reads on and on. `offset` counts from the first pixel.
+// S of a pixel: it is stored from the last pixel of the image to the first, so that a backward
+// sweep that has to wait for it reads on and on. `offset` counts from the first pixel.
 template <class T>
 HWY_INLINE T* StoredSum(const SweepStretch<T>& s, std::ptrdiff_t offset) {
   return s.sum - offset * s.stride;
 }
 
-// Takes the second halves of S of the pixels of a stretch of the backward sweep, and adds the first
-// ones to all of them at once: what one pixel waits for, the others need not. Pixels have the
-// places [begin(), kPixels), in the order of the image.
+// Takes the second halves of S of the pixels of a stretch, and adds the first ones to all of them
+// at once: what one pixel waits for, the others need not. Pixels have the places [0, count()), in
+// the order of the image.
 template <class T, class Shape>
 class StretchSums {
  public:
   static constexpr int kPixels = SweepStretch<T>::kMaxPixels;
 
-  StretchSums(const SweepStretch<T>& s, const Shape& shape) : s_(s), shape_(shape) {}
+  StretchSums(const SweepStretch<T>& s, const Shape& shape)
+      : shape_(shape),
+        count_(s.Count()),
+        start_(s.IsForward() ? 0 : count_ - 1),
+        stride_(s.stride),
+        first_column_(s.x_first - start_),
+        excess_(s.excess),
+        first_half_(StoredSum(s, -start_)),
+        minima_of_first_(s.minimum_sum - start_) {}
 
-  // The second half of the next pixel, and what its paths cost at least.
-  HWY_INLINE void Take(const Lanes<T>* half, int path_minima) {
-    --begin_;
+  // The second half of the pixel at `offset` from the first, and what its paths cost at least.
+  HWY_INLINE void Take(std::ptrdiff_t offset, const Lanes<T>* half, int path_minima) {
+    const std::ptrdiff_t place = start_ + offset;
     for (int v = 0; v < shape_.Count(); ++v) {
-      hn::Store(half[v], Tag<T>(), Row(begin_) + v * kLanes<T>);
+      hn::Store(half[v], Tag<T>(), Row(place) + v * kLanes<T>);
     }
-    path_minima_[begin_] = path_minima;
+    path_minima_[place] = path_minima;
   }
 
   // What S exceeds the base of its pixel by, at most the largest number, which is also what the
@@ -54,18 +62,17 @@ class StretchSums {
     HWY_ALIGN T least_of_last[kPixels];
     StoreSmallest<T, kPixels>(
         [&](int place) STEREO_SGMP_INLINE_ATTR {
-          const T* half = FirstHalf(std::max(place, begin_));
+          const T* half = FirstHalf(std::min(place, count_ - 1));
           return LeastOfVectors(
               [&](int v) STEREO_SGMP_INLINE_ATTR { return hn::Load(d, half + v * kLanes<T>); });
         },
         least_of_first);
     StoreLeast(least_of_last);
-    for (int place = begin_; place < kPixels; ++place) {
+    for (int place = 0; place < count_; ++place) {
       AddFirstHalf(place, hn::Set(d, least_of_first[place]), hn::Set(d, least_of_last[place]));
     }
-    const std::uint16_t* minima_of_first = s_.minimum_sum - (kPixels - 1);
-    for (int i = begin_; i < kPixels; ++i) {
-      path_minima_[i] = (path_minima_[i] + minima_of_first[i]) / kSumStep<T>;
+    for (int i = 0; i < count_; ++i) {
+      path_minima_[i] = (path_minima_[i] + minima_of_first_[i]) / kSumStep<T>;
       base_[i] = path_minima_[i] + least_of_first[i] + least_of_last[i];
     }
   }
@@ -90,10 +97,13 @@ class StretchSums {
     return hn::Load(Tag<T>(), Row(place) + v * kLanes<T>);
   }
 
-  HWY_INLINE T* Row(int place) const { return s_.excess + place * s_.stride; }
+  HWY_INLINE T* Row(std::ptrdiff_t place) const { return excess_ + place * stride_; }
 
-  int begin() const { return begin_; }
-  int FirstColumn() const { return s_.x_first - (kPixels - 1 - begin_); }
+  int count() const { return count_; }
+  // Where the sweep enters the stretch.
+  int start() const { return start_; }
+  // The image x of the first place.
+  int first_column() const { return first_column_; }
 
   // Of each place, in steps of kSumStep: the sum of what the paths of both sweeps cost at least,
   // and the base that the excess counts from.
@@ -101,7 +111,9 @@ class StretchSums {
   const int* base() const { return base_; }
 
  private:
-  HWY_INLINE const T* FirstHalf(int place) const { return StoredSum(s_, place - (kPixels - 1)); }
+  HWY_INLINE const T* FirstHalf(std::ptrdiff_t place) const {
+    return first_half_ - place * stride_;
+  }
 
   template <class Get>
   HWY_INLINE Lanes<T> LeastOfVectors(const Get& get) const {
@@ -122,9 +134,15 @@ class StretchSums {
     }
   }
 
-  const SweepStretch<T>& s_;
   const Shape& shape_;
-  int begin_ = kPixels;
+  // Kept here, since what is stored could change the stretch for all that the compiler knows.
+  const int count_;
+  const int start_;
+  const std::ptrdiff_t stride_;
+  const int first_column_;
+  T* const excess_;
+  const T* const first_half_;
+  const std::uint16_t* const minima_of_first_;
   int path_minima_[kPixels] = {};
   int base_[kPixels] = {};
 };

@@ -40,7 +40,8 @@ template <class T, int kPaths, class Shape, class Finish>
 HWY_INLINE void ForEachPixel(const SweepStretch<T>& s, const Shape& shape, const Finish& finish) {
   constexpr int kAhead = 8;
   const Lanes<T> p1 = hn::Set(Tag<T>(), s.p1);
-  StepCursor<T, kPaths> cursor(s);
+  if (s.moves != nullptr && s.has_above && !s.above_has_moved) MoveFromAbove(s, shape);
+  StepCursor<T, kPaths, Shape> cursor(s, shape);
   for (int u = s.u_begin; u < s.u_end; ++u) {
     const Offset offset = static_cast<Offset>(u - s.u_begin) * s.x_step;
     if (s.has_stored_costs) {
@@ -75,16 +76,16 @@ void States(const SweepStretch<T>& s) {
   ForEachPixel<T, kPaths>(s, shape, ignore);
 }
 
-// Completes S of the pixels of a stretch of the backward sweep.
+// Completes S of the pixels of a stretch.
 template <class T, int kPaths, class Shape>
 HWY_INLINE void CompleteSums(const SweepStretch<T>& s, const Shape& shape,
                              StretchSums<T, Shape>* sums) {
   constexpr int kAhead = 4;
   const auto take = [&](Offset offset, const Lanes<T>* half, int minima) STEREO_SGMP_INLINE_ATTR {
     PrefetchPixel(StoredSum(s, offset + kAhead * s.x_step), s.stride);
-    sums->Take(half, minima);
+    sums->Take(offset, half, minima);
   };
-  hwy::Prefetch(s.minimum_sum - (SweepStretch<T>::kMaxPixels - 1));
+  hwy::Prefetch(s.minimum_sum - sums->start());
   ForEachPixel<T, kPaths>(s, shape, take);
   sums->Complete();
 }
@@ -154,9 +155,9 @@ void Sharpen(const SweepStretch<T>& s) {
   CompleteSums<T, kPaths>(s, shape, &sums);
   HWY_ALIGN T least[StretchSums<T, Shape>::kPixels];
   sums.StoreLeast(least);
-  for (int place = sums.begin(); place < sums.kPixels; ++place) {
+  for (int place = 0; place < sums.count(); ++place) {
     const Lanes<T> best = hn::Set(Tag<T>(), least[place]);
-    const std::ptrdiff_t pixel = (place - (sums.kPixels - 1)) * s.stride;
+    const std::ptrdiff_t pixel = (place - sums.start()) * s.stride;
     for (int v = 0; v < shape.Count(); ++v) {
       const std::ptrdiff_t k = pixel + v * kLanes<T>;
       StoreSharpened(Raised<T>(hn::Sub(sums.Vector(place, v), best)), 255 / s.unit, s.cost + k,

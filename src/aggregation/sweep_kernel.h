@@ -18,9 +18,9 @@ enum class SweepKind {
   kStates,  // nothing: only the messages between pixels matter
   kFirst,   // stores them as the first half of S
   // Adds the other half and leaves the costs for the second round of PathScheme::kFourTwice,
-  // C/2 + 0.12 (S - min S), at most the largest cost; has to be a backward sweep
+  // C/2 + 0.12 (S - min S), at most the largest cost
   kSharpen,
-  kLast,  // adds the other half and reads the winners off S; has to be a backward sweep
+  kLast,  // adds the other half and reads the winners off S
 };
 
 // Where the last sweep leaves what it reads off S for the pixels of one row, by image x.
@@ -33,7 +33,7 @@ struct WinnerRow {
   std::uint16_t* uncertainty = nullptr;
 };
 
-// Pixels x' of the right image on the way through a row of the last sweep.
+// Pixels x' of the right image on the way through a row whose winners are read.
 template <class T>
 struct RightRow {
   // Those that the current left pixel can match, by disparity index: the smallest S met so far
@@ -69,7 +69,8 @@ struct SweepStretch {
   T* sum = nullptr;
   std::uint16_t* minimum_sum = nullptr;  // sum over r of min_d L_r, of the pixel u_begin
 
-  bool has_above = false;  // false on the first row of the image
+  bool has_above = false;        // false on the first row of the image
+  bool above_has_moved = false;  // the prior has moved what comes from there
   StateLine<T> above;
   StateLine<T> current;
   AcrossState<T>* across = nullptr;
@@ -83,8 +84,8 @@ struct SweepStretch {
   const std::array<JumpRow, kPathsPerSweep>* jumps = nullptr;
   int first_jump = 0;
   int jump_slack = -1;
-  // Scratch: kPathsPerSweep slots for messages that moved, one slot of zeros for paths that
-  // start, room for what S of kMaxPixels pixels exceeds its base by.
+  // Scratch: a slot for a message on its way, one of zeros for paths that start, room for what S
+  // of kMaxPixels pixels exceeds its base by.
   T* moved = nullptr;
   const T* start = nullptr;
   T* excess = nullptr;
@@ -93,6 +94,9 @@ struct SweepStretch {
   std::uint8_t* sharpened = nullptr;  // kSharpen: by image x like `cost`
   WinnerRow winners;                  // kLast
   RightRow<T> right;                  // kLast
+
+  int Count() const { return u_end - u_begin; }
+  bool IsForward() const { return x_step > 0; }
 };
 
 void SweepPixels(const SweepStretch<std::uint8_t>& stretch);

@@ -34,9 +34,9 @@ class WinnerReader {
 
   HWY_INLINE void Read() {
     sums_.StoreLeast(least_);
-    for (int place = sums_.begin(); place < kPixels; ++place) winner_[place] = FirstLeast(place);
+    for (int place = 0; place < sums_.count(); ++place) winner_[place] = FirstLeast(place);
     StoreSecond();
-    OfferToRight();
+    s_.IsForward() ? OfferForward() : OfferBackward();
     WriteLeast();
     WriteNeighbours();
   }
@@ -67,26 +67,46 @@ class WinnerReader {
         second_);
   }
 
-  HWY_INLINE void OfferToRight() const {
-    RightWindow<T, Shape> right(s_, shape_);
+  HWY_INLINE void OfferForward() const {
+    RightWindow<T, Shape, true> right(s_, shape_);
     std::uint16_t winners[kPixels];
-    for (int place = kPixels - 1; place >= sums_.begin(); --place) {
-      const auto base = static_cast<T>(std::min<int>(sums_.base()[place], kMost));
-      const Lanes<T> bases = hn::Set(Tag<T>(), base);
-      for (int v = 0; v < shape_.Count(); ++v) {
-        right.Offer(v, OfferOf<T>(sums_.Vector(place, v), bases));
-      }
-      winners[place] = right.Leave();
+    for (int place = 0; place < sums_.count(); ++place) {
+      winners[place] = right.Move();
+      Offer(place, &right);
+    }
+    // What is done with is one beyond the last lane.
+    WriteRight(winners, s_.right.min_disparity + shape_.Count() * kLanes<T>);
+    right.Finish(sums_.first_column() + sums_.count() - 1 - s_.right.min_disparity);
+  }
+
+  HWY_INLINE void OfferBackward() const {
+    RightWindow<T, Shape, false> right(s_, shape_);
+    std::uint16_t winners[kPixels];
+    for (int place = sums_.count() - 1; place >= 0; --place) {
+      Offer(place, &right);
+      winners[place] = right.Move();
     }
     // What is done with matches disparity index 0.
-    const int offset = s_.right.min_disparity;
-    const int begin = std::max(sums_.FirstColumn() - offset, 0);
-    const int end = std::min(s_.x_first + 1 - offset, s_.width);
-    if (begin < end) {
-      const int place = kPixels - 1 - (s_.x_first - offset - begin);
-      std::copy_n(winners + place, end - begin, s_.right.winner + begin);
+    WriteRight(winners, s_.right.min_disparity);
+    right.Finish(sums_.first_column() - 1 - s_.right.min_disparity);
+  }
+
+  template <class Window>
+  HWY_INLINE void Offer(int place, Window* right) const {
+    const auto base = static_cast<T>(std::min<int>(sums_.base()[place], kMost));
+    const Lanes<T> bases = hn::Set(Tag<T>(), base);
+    for (int v = 0; v < shape_.Count(); ++v) {
+      right->Offer(v, OfferOf<T>(sums_.Vector(place, v), bases));
     }
-    right.Finish(sums_.FirstColumn());
+  }
+
+  // The winners of the right pixels that stand `offset` to the left of each place, as far as the
+  // image goes.
+  HWY_INLINE void WriteRight(const std::uint16_t* winners, int offset) const {
+    const int first = sums_.first_column() - offset;
+    const int begin = std::max(first, 0);
+    const int end = std::min(first + sums_.count(), s_.width);
+    if (begin < end) std::copy_n(winners + (begin - first), end - begin, s_.right.winner + begin);
   }
 
   HWY_INLINE void WriteLeast() const {
@@ -135,11 +155,11 @@ class WinnerReader {
 
   // Most stretches have all pixels: their number is known then, and they are written at once.
   HWY_INLINE void Write(const std::uint16_t* values, std::uint16_t* row) const {
-    std::uint16_t* out = row + sums_.FirstColumn();
-    if (HWY_LIKELY(sums_.begin() == 0)) {
+    std::uint16_t* out = row + sums_.first_column();
+    if (HWY_LIKELY(sums_.count() == kPixels)) {
       std::copy_n(values, kPixels, out);
     } else {
-      std::copy(values + sums_.begin(), values + kPixels, out);
+      std::copy_n(values, sums_.count(), out);
     }
   }
 
