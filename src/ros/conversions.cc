@@ -94,13 +94,19 @@ std::vector<sensor_msgs::PointField> CloudFields(std::size_t rgb_offset) {
           FloatField("confidence", offsetof(Point, confidence))};
 }
 
+// Piece by piece: a point that is put together first is read before its bytes have arrived.
 void Pack(const CloudPoint* points, std::size_t count, std::uint8_t* out) {
+  constexpr std::size_t kPlace = offsetof(CloudPoint, b);
+  constexpr std::size_t kRest = sizeof(CloudPoint) - kPlace;
+  constexpr std::size_t kPackedRest = offsetof(PackedPoint, bgr0);
+  static_assert(kPackedRest + kRest == offsetof(PackedPoint, padding2), "in the same order");
   for (std::size_t i = 0; i < count; ++i) {
-    const CloudPoint& point = points[i];
-    const PackedPoint packed{
-        point.x, point.y, point.z, 0.0f, {point.b, point.g, point.r, 0}, point.confidence, {}};
-    std::memcpy(out, &packed, sizeof(packed));
-    out += sizeof(packed);
+    const auto* const point = reinterpret_cast<const std::uint8_t*>(points + i);
+    std::memcpy(out, point, kPlace);
+    std::memset(out + kPlace, 0, kPackedRest - kPlace);
+    std::memcpy(out + kPackedRest, point + kPlace, kRest);
+    std::memset(out + kPackedRest + kRest, 0, sizeof(PackedPoint) - kPackedRest - kRest);
+    out += sizeof(PackedPoint);
   }
 }
 
