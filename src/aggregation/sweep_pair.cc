@@ -16,7 +16,7 @@ void SweepPair<T>::Run(const SweepJob<T>& job, SweepKind completion,
   sweeps_[kBackward].Start(job, before_backward, after_backward);
   const int rows = job.end - job.begin;
   int between = rows;
-  pool->Run([&](int thread) {
+  pool->Share([&](int thread) {
     const auto t = static_cast<std::size_t>(thread);
     RunGroups(t % 2, SweepKind::kFirst, &between, &workspaces_[t]);
     // S was stored past the caches; other threads read it next.
@@ -27,7 +27,7 @@ void SweepPair<T>::Run(const SweepJob<T>& job, SweepKind completion,
   // with the longer way.
   std::array<int, 2> left{taken_[kBackward], taken_[kForward]};
   const std::size_t swap = std::abs(taken_[kForward] - taken_[kBackward]) > rows / 8 ? 1 : 0;
-  pool->Run([&](int thread) {
+  pool->Share([&](int thread) {
     const auto t = static_cast<std::size_t>(thread);
     const std::size_t own = (t + swap) % 2;
     for (const std::size_t direction : {own, 1 - own}) {
@@ -42,7 +42,7 @@ void SweepPair<T>::RunStates(const SweepJob<T>& job, StateLineBuffer<T>* before,
   Prepare(job.costs->shape(), *pool);
   sweeps_[kForward].Start(job, before, after);
   int left = job.end - job.begin;
-  pool->Run([&](int thread) {
+  pool->Share([&](int thread) {
     RunGroups(kForward, SweepKind::kStates, &left, &workspaces_[static_cast<std::size_t>(thread)]);
   });
 }

@@ -142,49 +142,82 @@ ThreadPool::~ThreadPool() {
 }
 
 void ThreadPool::Run(const std::function<void(int)>& task) {
+  Begin(task);
+  Execute(0, task);
+  Finish(false);
+}
+
+void ThreadPool::Share(const std::function<void(int)>& task) {
+  Begin(task);
+  Execute(0, task);
+  Finish(true);
+}
+
+void ThreadPool::Begin(const std::function<void(int)>& task) {
   spread_.Note(0);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     task_ = &task;
     error_ = nullptr;
-    running_ = static_cast<int>(workers_.size());
+    to_begin_ = static_cast<int>(workers_.size());
     generation_.fetch_add(1);
   }
   start_.notify_all();
-  Execute(0);
-  SpinUntil([this] { return running_ == 0; });
+}
+
+// Waits for the others, or with `leave_out` for those that have begun.
+void ThreadPool::Finish(bool leave_out) {
+  const auto is_done = [this] { return to_begin_ == 0 && running_ == 0; };
+  if (leave_out) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    to_begin_ = 0;
+    task_ = nullptr;
+  }
+  SpinUntil(is_done);
   std::unique_lock<std::mutex> lock(mutex_);
-  done_.wait(lock, [this] { return running_ == 0; });
+  done_.wait(lock, is_done);
   task_ = nullptr;
   if (error_) std::rethrow_exception(error_);
 }
 
-void ThreadPool::ForRanges(int count, const std::function<void(int, int)>& body) {
-  const std::int64_t total = count;
-  const std::int64_t parts = size();
-  Run([&](int i) {
-    const int begin = static_cast<int>(total * i / parts);
-    const int end = static_cast<int>(total * (i + 1) / parts);
-    if (begin < end) body(begin, end);
+void ThreadPool::ForPieces(int count, int size, const std::function<void(int, int, int)>& body) {
+  std::atomic<std::int64_t> next{0};
+  Share([&](int thread) {
+    for (std::int64_t begin = next.fetch_add(size); begin < count; begin = next.fetch_add(size)) {
+      const std::int64_t end = std::min<std::int64_t>(begin + size, count);
+      body(thread, static_cast<int>(begin), static_cast<int>(end));
+    }
   });
+}
+
+void ThreadPool::ForRanges(int count, const std::function<void(int, int)>& body) {
+  constexpr int kPiecesPerThread = 4;
+  const int pieces = size() > 1 ? kPiecesPerThread * size() : 1;
+  ForPieces(count, std::max(1, count / pieces),
+            [&body](int, int begin, int end) { body(begin, end); });
 }
 
 void ThreadPool::RunJobs(const std::vector<Job>& jobs) {
   JobList list(jobs);
-  Run([&list](int) { list.Work(); });
+  Share([&list](int) { list.Work(); });
 }
 
 void ThreadPool::Work(int index) {
   std::uint64_t seen = 0;
   for (;;) {
     SpinUntil([&] { return generation_ != seen; });
+    const std::function<void(int)>* task = nullptr;
     {
       std::unique_lock<std::mutex> lock(mutex_);
       start_.wait(lock, [&] { return stopping_ || generation_ != seen; });
       if (stopping_) return;
       seen = generation_;
+      if (task_ == nullptr) continue;
+      task = task_;
+      ++running_;
+      --to_begin_;
     }
-    Execute(index);
+    Execute(index, *task);
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       --running_;
@@ -197,12 +230,12 @@ void ThreadPool::MoveApart() {
   if (current_part.spread != nullptr) current_part.spread->MoveApart(current_part.index);
 }
 
-void ThreadPool::Execute(int index) {
+void ThreadPool::Execute(int index, const std::function<void(int)>& task) {
   const Part around = current_part;  // where a job has a pool of its own
   current_part = {&spread_, index};
   MoveApart();
   try {
-    (*task_)(index);
+    task(index);
   } catch (...) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!error_) error_ = std::current_exception();

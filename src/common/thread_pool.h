@@ -36,7 +36,17 @@ class ThreadPool {
   // returns when all have. The first exception thrown is thrown again here.
   void Run(const std::function<void(int)>& task);
 
-  // Calls body(begin, end) over a partition of [0, count) into contiguous ranges.
+  // Calls task(0) on the calling thread, and meanwhile task(i) on those of the others that get to a
+  // core in time; returns when all that have begun have ended. For tasks that take pieces of work
+  // until none are left: so a thread that is kept off its core holds nobody up. Exceptions as
+  // above.
+  void Share(const std::function<void(int)>& task);
+
+  // Calls body(thread, begin, end) for all pieces of `size` of [0, count), in which the last may be
+  // smaller: each thread takes the next one when it is done with one.
+  void ForPieces(int count, int size, const std::function<void(int, int, int)>& body);
+
+  // Calls body(begin, end) for pieces of [0, count), a few for each thread.
   void ForRanges(int count, const std::function<void(int, int)>& body);
 
   // Work, and which of the jobs before it in the list must be done first.
@@ -56,17 +66,20 @@ class ThreadPool {
 
  private:
   void Work(int index);
-  void Execute(int index);
+  void Execute(int index, const std::function<void(int)>& task);
+  void Begin(const std::function<void(int)>& task);
+  void Finish(bool leave_out);
 
   CoreSpread spread_;
   std::vector<std::thread> workers_;
   std::mutex mutex_;
   std::condition_variable start_;
   std::condition_variable done_;
-  const std::function<void(int)>* task_ = nullptr;
+  const std::function<void(int)>* task_ = nullptr;  // null where nobody may begin it
   // Changed with the lock, and read without by who looks whether to wait.
   std::atomic<std::uint64_t> generation_{0};
-  std::atomic<int> running_{0};
+  std::atomic<int> to_begin_{0};  // threads that are to, and
+  std::atomic<int> running_{0};   // that have begun
   bool stopping_ = false;
   std::exception_ptr error_;
 };

@@ -12,6 +12,9 @@ namespace stereo_sgmp {
 namespace {
 
 // Shares of a pixel below this are left out.
+// Rows of the shrunk image that one thread makes after each other; the next one may begin with a
+// row that the last one has shrunk.
+constexpr int kPiece = 32;
 constexpr double kSmallestShare = 1e-3;
 
 bool IsWholeMultiple(int from, int to) { return from % to == 0; }
@@ -79,12 +82,9 @@ void AreaShrinker::Shrink(const cv::Mat& from, cv::Size size, cv::Mat* to, Threa
   to->create(size, from.type());
   x_.Assign(from.cols, size.width);
   y_.Assign(from.rows, size.height);
-  const int parts = pool->size();
-  rows_.resize(static_cast<std::size_t>(parts));
-  pool->Run([&](int part) {
-    const int begin = static_cast<int>(std::int64_t{size.height} * part / parts);
-    const int end = static_cast<int>(std::int64_t{size.height} * (part + 1) / parts);
-    MakeRows(from, begin, end, to, &rows_[static_cast<std::size_t>(part)]);
+  rows_.resize(static_cast<std::size_t>(pool->size()));
+  pool->ForPieces(size.height, kPiece, [&](int thread, int begin, int end) {
+    MakeRows(from, begin, end, to, &rows_[static_cast<std::size_t>(thread)]);
   });
 }
 

@@ -29,17 +29,6 @@ constexpr double kCompactness = 10.0;
 // second-level cache.
 constexpr int kBlock = 16;
 
-// Calls body(thread, begin, end) for blocks of [0, rows), each thread for those of its own share.
-void ForBlocks(int rows, ThreadPool* pool, const std::function<void(int, int, int)>& body) {
-  const std::int64_t threads = pool->size();
-  pool->Run([&](int thread) {
-    const int share_end = static_cast<int>(rows * (thread + std::int64_t{1}) / threads);
-    for (int y = static_cast<int>(rows * thread / threads); y < share_end; y += kBlock) {
-      body(thread, y, std::min(y + kBlock, share_end));
-    }
-  });
-}
-
 void CountReasons(const cv::Mat& reason, ThreadPool* pool, MatchStatistics* statistics) {
   std::fill(std::begin(statistics->reasons), std::end(statistics->reasons), 0);
   std::mutex mutex;
@@ -80,7 +69,7 @@ void DisparityRefiner::ReadWinners(const WinnerMap& winners, const Options& opti
   left_right_.create(size, CV_16U);
   valid_.create(size, CV_8U);
   std::atomic<bool> all_filled{true};
-  ForBlocks(size.height, pool, [&](int /*thread*/, int begin, int end) {
+  pool->ForPieces(size.height, kBlock, [&](int /*thread*/, int begin, int end) {
     RefineSubpixelRows(winners, options.refinement.subpixel, begin, end, &result->raw);
     UncertaintyImage(winners, begin, end, &result->uncertainty);
     LeftRightDifferences(winners, begin, end, &left_right_);
@@ -124,7 +113,7 @@ void DisparityRefiner::Filter(const WinnerMap& winners, const Options& options, 
   result->dense.create(winners.winner.size(), CV_32F);
   result->reason.create(winners.winner.size(), CV_8U);
   scratch_.resize(static_cast<std::size_t>(pool->size()));
-  ForBlocks(result->dense.rows, pool, [&](int thread, int begin, int end) {
+  pool->ForPieces(result->dense.rows, kBlock, [&](int thread, int begin, int end) {
     if (options.refinement.median) {
       MedianOfRows(filled_, begin, end, &scratch_[static_cast<std::size_t>(thread)],
                    &result->dense);

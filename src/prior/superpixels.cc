@@ -34,16 +34,16 @@ void CheckInputs(const cv::Mat& image, int size, double compactness) {
   }
 }
 
-// Calls body(thread, begin, end) over contiguous shares of [0, count).
+// Calls body(band, begin, end) over as many contiguous bands of [0, count) as there are threads.
 void ForBands(int count, ThreadPool* threads, const std::function<void(int, int, int)>& body) {
   if (threads == nullptr) {
     body(0, 0, count);
     return;
   }
-  const std::int64_t parts = threads->size();
-  threads->Run([&](int i) {
-    body(i, static_cast<int>(count * std::int64_t{i} / parts),
-         static_cast<int>(count * (std::int64_t{i} + 1) / parts));
+  const std::int64_t bands = threads->size();
+  threads->ForPieces(threads->size(), 1, [&](int, int band, int) {
+    body(band, static_cast<int>(count * band / bands),
+         static_cast<int>(count * (band + std::int64_t{1}) / bands));
   });
 }
 
@@ -59,9 +59,9 @@ void Superpixels::Segment(const cv::Mat& image, int size, double compactness, Th
   sums_.resize(threads != nullptr ? static_cast<std::size_t>(threads->size()) : 1);
   const double weight = compactness / size;
   for (int i = 0; i < kIterations; ++i) {
-    ForBands(image.rows, threads, [&](int thread, int begin, int end) {
+    ForBands(image.rows, threads, [&](int band, int begin, int end) {
       AssignRows(begin, end, size, static_cast<float>(weight * weight));
-      AddUp(begin, end, &sums_[static_cast<std::size_t>(thread)]);
+      AddUp(begin, end, &sums_[static_cast<std::size_t>(band)]);
     });
     MoveCentres();
   }

@@ -124,9 +124,8 @@ void PlanePropagation::Apply(const cv::Mat& image, const cv::Mat& confidence, cv
       for (int y = begin; y < end; ++y) LinkDown(size.width, y);
       SumAlongRows(size.width, begin, end);
     });
-    pool->Run([&](int thread) {
-      float* scratch = scratch_[static_cast<std::size_t>(thread)].data();
-      for (int i = thread; i < strips; i += pool->size()) MoveToPlanes(i, size.height, scratch);
+    pool->ForPieces(strips, 1, [&](int thread, int strip, int) {
+      MoveToPlanes(strip, size.height, scratch_[static_cast<std::size_t>(thread)].data());
     });
   }
   pool->ForRanges(size.height, [&](int begin, int end) {

@@ -20,13 +20,12 @@ void SpeckleFilter::Mark(const cv::Mat& disparity, int size, double range, cv::M
   if (size <= 1) return;
   const float max_step = static_cast<float>(range);
   // None without rows, which would part its neighbours.
-  const std::int64_t parts = std::min(pool->size(), disparity.rows);
-  bands_.resize(static_cast<std::size_t>(parts));
-  pool->Run([&](int part) {
-    if (part >= parts) return;
-    const int begin = static_cast<int>(disparity.rows * part / parts);
-    const int end = static_cast<int>(disparity.rows * (part + std::int64_t{1}) / parts);
-    bands_[static_cast<std::size_t>(part)].Find(disparity, *reason, max_step, begin, end);
+  const int bands = std::min(pool->size(), disparity.rows);
+  bands_.resize(static_cast<std::size_t>(bands));
+  pool->ForPieces(bands, 1, [&](int, int band, int) {
+    const int begin = static_cast<int>(std::int64_t{disparity.rows} * band / bands);
+    const int end = static_cast<int>(std::int64_t{disparity.rows} * (band + 1) / bands);
+    bands_[static_cast<std::size_t>(band)].Find(disparity, *reason, max_step, begin, end);
   });
   Gather(disparity, max_step, pool);
   pool->ForRanges(all_.Count(), [&](int begin, int end) {
@@ -49,9 +48,9 @@ void SpeckleFilter::Gather(const cv::Mat& disparity, float range, ThreadPool* po
   all_.runs.resize(static_cast<std::size_t>(count));
   all_.parents.resize(static_cast<std::size_t>(count));
   all_.areas.resize(static_cast<std::size_t>(count));
-  pool->Run([&](int part) {
-    const auto band = static_cast<std::size_t>(part);
-    if (band < bands_.size()) CopyBand(band, offsets_[band]);
+  pool->ForPieces(static_cast<int>(bands_.size()), 1, [&](int, int piece, int) {
+    const auto band = static_cast<std::size_t>(piece);
+    CopyBand(band, offsets_[band]);
   });
   for (std::size_t i = 1; i < bands_.size(); ++i) {
     const std::int32_t above = offsets_[i - 1];

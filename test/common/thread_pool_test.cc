@@ -49,12 +49,64 @@ TEST(ThreadPoolTest, RangesCoverTheCountOnce) {
   }
 }
 
+TEST(ThreadPoolTest, PiecesCoverTheCountOnceAndAThreadDoesOneAtATime) {
+  ThreadPool pool(3);
+  for (const int size : {1, 4, 7, 100}) {
+    std::vector<std::atomic<int>> visits(50);
+    std::vector<std::atomic<bool>> busy(3);
+    pool.ForPieces(50, size, [&](int thread, int begin, int end) {
+      EXPECT_FALSE(busy[static_cast<std::size_t>(thread)].exchange(true));
+      EXPECT_EQ(begin % size, 0);
+      EXPECT_LE(end - begin, size);
+      for (int i = begin; i < end; ++i) ++visits[static_cast<std::size_t>(i)];
+      busy[static_cast<std::size_t>(thread)] = false;
+    });
+    for (const std::atomic<int>& visit : visits) EXPECT_EQ(visit, 1) << size;
+  }
+}
+
+TEST(ThreadPoolTest, ASlowPieceHoldsNoOtherUp) {
+  ThreadPool pool(2);
+  std::atomic<int> done{0};
+  pool.ForPieces(10, 1, [&](int, int piece, int) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (piece == 0 && done < 9 && std::chrono::steady_clock::now() < end) {
+      std::this_thread::yield();
+    }
+    EXPECT_TRUE(piece != 0 || done == 9);
+    ++done;
+  });
+  EXPECT_EQ(done, 10);
+}
+
+TEST(ThreadPoolTest, ASharedTaskWaitsForThoseThatHaveBegunAlone) {
+  ThreadPool pool(3);
+  for (int round = 0; round < 2000; ++round) {
+    std::atomic<int> begun{0};
+    std::atomic<int> ended{0};
+    pool.Share([&](int) {
+      ++begun;
+      ++ended;
+    });
+    const int in_time = begun;
+    EXPECT_GE(in_time, 1);
+    EXPECT_LE(in_time, 3);
+    EXPECT_EQ(ended, in_time);
+    std::atomic<int> parts{0};
+    if (round % 16 == 0) pool.Run([&](int) { ++parts; });
+    EXPECT_EQ(parts, round % 16 == 0 ? 3 : 0);
+    EXPECT_EQ(begun, in_time) << "a late one began after all";
+  }
+}
+
 TEST(ThreadPoolTest, PassesAnExceptionOnAndGoesOn) {
   ThreadPool pool(2);
   for (const int thrower : {0, 1}) {
     EXPECT_THROW(pool.Run([&](int i) {
       if (i == thrower) throw std::runtime_error("as wanted");
     }),
+                 std::runtime_error);
+    EXPECT_THROW(pool.Share([](int) { throw std::runtime_error("as wanted"); }),
                  std::runtime_error);
     std::atomic<int> parts{0};
     pool.Run([&](int) { ++parts; });

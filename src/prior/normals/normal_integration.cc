@@ -127,7 +127,7 @@ IntegratedNormals IntegrateNormals(const cv::Mat& normals, const cv::Mat& discon
   const CellGrid grid(normals.size());
   const NormalField field(normals, discontinuities, camera);
   std::atomic<int> next{0};
-  pool->Run([&](int) {
+  pool->Share([&](int) {
     CellIntegrator integrator(field);
     for (int cell = next++; cell < grid.count(); cell = next++) {
       integrator.Integrate(grid.Cell(cell), cell, &result);
