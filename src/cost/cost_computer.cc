@@ -20,11 +20,20 @@ void CheckImage(const char* side, const cv::Mat& image, const VolumeShape& shape
 const CostRows& CostComputer::Prepare(const CostOptions& options, const cv::Mat& left,
                                       const cv::Mat& right, const VolumeShape& shape,
                                       const RadiometricFit& fit, int unit, ThreadPool* pool) {
+  const CostRows& costs = Start(options, left, right, shape, fit, unit, pool);
+  Complete(pool);
+  return costs;
+}
+
+const CostRows& CostComputer::Start(const CostOptions& options, const cv::Mat& left,
+                                    const cv::Mat& right, const VolumeShape& shape,
+                                    const RadiometricFit& fit, int unit, ThreadPool* pool) {
   CheckImage("left", left, shape);
   CheckImage("right", right, shape);
+  is_stored_ = options.kind == CostKind::kNcc;
   switch (options.kind) {
     case CostKind::kNcc:
-      ncc_.Prepare(left, right, shape, options.ncc_epsilon, options.vertical_tolerance, unit, pool);
+      ncc_.Start(left, right, shape, options.ncc_epsilon, options.vertical_tolerance, unit, pool);
       return ncc_;
     case CostKind::kCensus:
       census_.Prepare(left, right, shape, options.census_window, unit, pool);
@@ -34,6 +43,14 @@ const CostRows& CostComputer::Prepare(const CostOptions& options, const cv::Mat&
       return mixed_;
   }
   throw std::invalid_argument("The matching cost is none of CostKind; use one that it lists.");
+}
+
+void CostComputer::ComputeAhead(const std::function<bool()>& is_enough) {
+  if (is_stored_) ncc_.ComputeAhead(is_enough);
+}
+
+void CostComputer::Complete(ThreadPool* pool) {
+  if (is_stored_) ncc_.Complete(pool);
 }
 
 std::size_t CostMemory(const CostOptions& options, const VolumeShape& shape) {

@@ -2,6 +2,7 @@
 #define STEREO_SGMP_COST_COST_COMPUTER_H_
 
 #include <cstddef>
+#include <functional>
 
 #include <opencv2/core.hpp>
 
@@ -25,7 +26,16 @@ class CostComputer {
                           const VolumeShape& shape, const RadiometricFit& fit, int unit,
                           ThreadPool* pool);
 
+  // The same in parts, for who has time before all threads are free: the costs of NCC, which are
+  // stored, are there when Complete has returned.
+  const CostRows& Start(const CostOptions& options, const cv::Mat& left, const cv::Mat& right,
+                        const VolumeShape& shape, const RadiometricFit& fit, int unit,
+                        ThreadPool* pool);
+  void ComputeAhead(const std::function<bool()>& is_enough);
+  void Complete(ThreadPool* pool);
+
  private:
+  bool is_stored_ = false;  // those of the last Start
   MixedCost mixed_;
   CensusCost census_;
   NccCost ncc_;

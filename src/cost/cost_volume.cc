@@ -1,13 +1,25 @@
 #include "cost/cost_volume.h"
 
+#include <utility>
+
 namespace stereo_sgmp {
 
-void StoredCost::Fill(const VolumeShape& shape, const RowFunction& fill_row, ThreadPool* pool) {
+void StoredCost::Start(const VolumeShape& shape, RowFunction fill_row) {
   shape_ = shape;
+  fill_row_ = std::move(fill_row);
+  rows_ = 0;
   costs_.Resize(shape.PaddedSize());
-  pool->ForRanges(shape.height, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) fill_row(y, costs_.data() + shape.Offset(y, 0));
+}
+
+void StoredCost::ComputeAhead(const std::function<bool()>& is_enough) {
+  for (; rows_ < shape_.height && !is_enough(); ++rows_) FillRow(rows_);
+}
+
+void StoredCost::Complete(ThreadPool* pool) {
+  pool->ForRanges(shape_.height - rows_, [this](int begin, int end) {
+    for (int y = begin; y < end; ++y) FillRow(rows_ + y);
   });
+  rows_ = shape_.height;
 }
 
 const std::uint8_t* StoredCost::Row(int y, int x_begin, int /*x_end*/,

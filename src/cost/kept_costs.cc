@@ -8,19 +8,28 @@ namespace stereo_sgmp {
 void KeptCosts::Start(const CostRows& source) {
   source_ = &source;
   costs_.Resize(shape().PaddedSize());
-  kept_.assign(static_cast<std::size_t>(shape().height), 0);
+  kept_.assign(static_cast<std::size_t>(shape().height), {0, shape().width});
 }
 
 void KeptCosts::ComputeAhead(const std::function<bool()>& is_enough) {
-  for (int y = 0; y < shape().height && !is_enough(); ++y) Keep(y, 0, shape().width);
+  for (int y = 0; y < shape().height && !is_enough(); ++y) {
+    Keep(y, 0, shape().width);
+    kept_[static_cast<std::size_t>(y)].left_end = shape().width;
+  }
 }
 
-// A sweep asks for a row from end to end, so that what is lacking is what comes next; a part from
-// elsewhere in the row is not kept.
+// Sweeps ask for a row from either end to the other, so that what is lacking is what comes next; a
+// part from elsewhere in the row is not kept.
 const std::uint8_t* KeptCosts::Row(int y, int x_begin, int x_end, std::uint8_t* scratch) const {
-  const int kept = kept_[static_cast<std::size_t>(y)];
-  if (x_end > kept) {
-    if (x_begin != kept) return source_->Row(y, x_begin, x_end, scratch);
+  Kept& kept = kept_[static_cast<std::size_t>(y)];
+  if (x_end > kept.left_end && x_begin < kept.right_begin) {
+    if (x_begin == kept.left_end) {
+      kept.left_end = x_end;
+    } else if (x_end == kept.right_begin) {
+      kept.right_begin = x_begin;
+    } else {
+      return source_->Row(y, x_begin, x_end, scratch);
+    }
     Keep(y, x_begin, x_end);
   }
   return Place(y, x_begin);
@@ -32,7 +41,6 @@ void KeptCosts::Keep(int y, int x_begin, int x_end) const {
   std::uint8_t* place = Place(y, x_begin);
   const std::uint8_t* costs = source_->Row(y, x_begin, x_end, place);
   if (costs != place) std::copy_n(costs, Place(y, x_end) - place, place);
-  kept_[static_cast<std::size_t>(y)] = x_end;
 }
 
 }  // namespace stereo_sgmp

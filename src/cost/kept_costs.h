@@ -27,13 +27,20 @@ class KeptCosts final : public CostRows {
   const std::uint8_t* Row(int y, int x_begin, int x_end, std::uint8_t* scratch) const override;
 
  private:
+  // Of a row, the pixels whose costs are kept: those before `left_end` and those from
+  // `right_begin` on.
+  struct Kept {
+    int left_end;
+    int right_begin;
+  };
+
   std::uint8_t* Place(int y, int x) const;
   void Keep(int y, int x_begin, int x_end) const;
 
   const CostRows* source_ = nullptr;
   // What asking changes; what is read stays the same.
   mutable AlignedBuffer<std::uint8_t> costs_;
-  mutable std::vector<int> kept_;  // by row: the pixels from the left whose costs are kept
+  mutable std::vector<Kept> kept_;  // by row
 };
 
 }  // namespace stereo_sgmp

@@ -16,6 +16,12 @@ constexpr float kSmallestEpsilon = 1e-6F;
 
 void NccCost::Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape,
                       double epsilon, bool vertical_tolerance, int unit, ThreadPool* pool) {
+  Start(left, right, shape, epsilon, vertical_tolerance, unit, pool);
+  Complete(pool);
+}
+
+void NccCost::Start(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape,
+                    double epsilon, bool vertical_tolerance, int unit, ThreadPool* pool) {
   CheckCostUnit(unit);
   unit_ = unit;
   left_image_.Assign(left, Orientation::kNatural);
@@ -24,7 +30,7 @@ void NccCost::Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeSha
   right_.Compute(right_image_, pool);
   const float used_epsilon = std::max(static_cast<float>(epsilon), kSmallestEpsilon);
   const int tolerance = vertical_tolerance ? 1 : 0;
-  const auto fill_row = [&](int y, std::uint8_t* costs) {
+  volume_.Start(shape, [=](int y, std::uint8_t* costs) {
     NccRows rows;
     rows.left = &left_;
     rows.right = &right_;
@@ -34,8 +40,7 @@ void NccCost::Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeSha
     NccCostRow(rows, shape, used_epsilon, costs);
     const int padded = shape.width * shape.Stride();
     CompactCosts(unit, static_cast<std::size_t>(padded), costs);
-  };
-  volume_.Fill(shape, fill_row, pool);
+  });
 }
 
 std::size_t NccCost::Memory(const VolumeShape& shape) {

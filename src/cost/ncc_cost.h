@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 
 #include <opencv2/core.hpp>
 
@@ -23,8 +24,15 @@ namespace stereo_sgmp {
 // Sums are exact and the few float operations have one order: the same bits on every machine.
 class NccCost final : public CostRows {
  public:
-  // Computes the whole volume. Images: CV_8UC1 of the size of the shape. epsilon >= 0. Throws
-  // std::invalid_argument for a unit out of range.
+  // Prepares all but the costs, which ComputeAhead and Complete make (StoredCost). Images: CV_8UC1
+  // of the size of the shape. epsilon >= 0. Throws std::invalid_argument for a unit out of range.
+  void Start(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape, double epsilon,
+             bool vertical_tolerance, int unit, ThreadPool* pool);
+
+  void ComputeAhead(const std::function<bool()>& is_enough) { volume_.ComputeAhead(is_enough); }
+  void Complete(ThreadPool* pool) { volume_.Complete(pool); }
+
+  // The whole volume at once.
   void Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape, double epsilon,
                bool vertical_tolerance, int unit, ThreadPool* pool);
 

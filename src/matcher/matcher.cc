@@ -59,10 +59,6 @@ bool NeedsCoarsePass(const Options& options, const MatchInputs& inputs) {
          SearchesSeenRange(options, inputs);
 }
 
-// Whether one thread prepares the costs in about the time that others find planes in. Those of NCC
-// are computed then, the others when they are asked for.
-bool IsPreparedFast(CostKind kind) { return kind != CostKind::kNcc; }
-
 }  // namespace
 
 class Matcher::Impl {
@@ -106,17 +102,21 @@ class Matcher::Impl {
     clock.Mark("coarse pass");
     const CostRows* costs = given_costs ? &*given_costs : nullptr;
     const SideWork prepare_costs = [&](const std::function<bool()>& have_planes) {
-      costs = &PrepareCosts(shape, &one_thread_);
-      if (costs == &kept_costs_) kept_costs_.ComputeAhead(have_planes);
+      costs = &StartCosts(shape, &one_thread_);
+      if (costs == &kept_costs_) {
+        kept_costs_.ComputeAhead(have_planes);
+      } else {
+        costs_.ComputeAhead(have_planes);
+      }
     };
-    const bool beside = costs == nullptr && IsPreparedFast(options_.cost.kind);
     const PathPrior prior =
         prior_.Make(options_.prior, inputs, images_, coarse_, shape, pool_.get(),
-                    beside ? prepare_costs : nullptr, &result->priors);
+                    given_costs ? nullptr : prepare_costs, &result->priors);
     result->statistics.planes = static_cast<int>(result->priors.planes.size());
     clock.Mark("prior");
 
-    if (costs == nullptr) costs = &PrepareCosts(shape, pool_.get());
+    if (costs == nullptr) costs = &StartCosts(shape, pool_.get());
+    if (!given_costs) costs_.Complete(pool_.get());
     clock.Mark("cost");
     const cv::Mat& guide =
         options_.aggregation.color_guide ? images_.left_color() : images_.left_gray();
@@ -142,10 +142,10 @@ class Matcher::Impl {
     return report;
   }
 
-  const CostRows& PrepareCosts(const VolumeShape& shape, ThreadPool* pool) {
+  const CostRows& StartCosts(const VolumeShape& shape, ThreadPool* pool) {
     const CostRows& costs =
-        costs_.Prepare(options_.cost, images_.left_gray(), images_.right_gray(), shape,
-                       coarse_.FitRadiometry(options_.cost.kind), PathUnit(options_, false), pool);
+        costs_.Start(options_.cost, images_.left_gray(), images_.right_gray(), shape,
+                     coarse_.FitRadiometry(options_.cost.kind), PathUnit(options_, false), pool);
     if (!KeepsCosts(options_, shape)) return costs;
     kept_costs_.Start(costs);
     return kept_costs_;

@@ -60,18 +60,26 @@ void ExpectRow(const KeptCosts& kept, const CountingCosts& source, int y, int x_
   }
 }
 
-// As a forward and a backward sweep do, whose stretches begin at different pixels.
+// As sweeps do, whose stretches begin at different pixels.
+void ExpectForward(const KeptCosts& kept, const CountingCosts& source, int y) {
+  for (int x = 0; x < kShape.width; x += 16) {
+    ExpectRow(kept, source, y, x, std::min(x + 16, kShape.width));
+  }
+}
+
+void ExpectBackward(const KeptCosts& kept, const CountingCosts& source, int y) {
+  for (int end = kShape.width; end > 0; end -= 16) {
+    ExpectRow(kept, source, y, std::max(0, end - 16), end);
+  }
+}
+
+// The two from both ends, until they have met and passed.
 void ExpectBothSweeps(const KeptCosts& kept, const CountingCosts& source) {
-  for (int y = 0; y < kShape.height; ++y) {
-    for (int x = 0; x < kShape.width; x += 16) {
-      ExpectRow(kept, source, y, x, std::min(x + 16, kShape.width));
-    }
-  }
-  for (int y = kShape.height; y-- > 0;) {
-    for (int end = kShape.width; end > 0; end -= 16) {
-      ExpectRow(kept, source, y, std::max(0, end - 16), end);
-    }
-  }
+  const int meeting = kShape.height / 2;
+  for (int y = 0; y < meeting; ++y) ExpectForward(kept, source, y);
+  for (int y = kShape.height; y-- > meeting;) ExpectBackward(kept, source, y);
+  for (int y = meeting; y < kShape.height; ++y) ExpectForward(kept, source, y);
+  for (int y = meeting; y-- > 0;) ExpectBackward(kept, source, y);
 }
 
 TEST(KeptCostsTest, TwoSweepsComputeEachCostOnce) {
