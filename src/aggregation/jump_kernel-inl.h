@@ -12,11 +12,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 
 #include "aggregation/lane_masks.h"
 #include "aggregation/lanes-inl.h"
-#include "aggregation/message_kernel-inl.h"
 #include "aggregation/path_state.h"
 #include "prior/orientation_prior.h"
 

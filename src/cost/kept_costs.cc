@@ -31,6 +31,7 @@ const std::uint8_t* KeptCosts::Row(int y, int x_begin, int x_end, std::uint8_t* 
       return source_->Row(y, x_begin, x_end, scratch);
     }
     Keep(y, x_begin, x_end);
+    if (kept.left_end >= kept.right_begin) kept.left_end = shape().width;
   }
   return Place(y, x_begin);
 }
