@@ -104,25 +104,51 @@ HWY_NOINLINE void MoveSegments(const JumpRow& row, std::size_t entry, Journey<T>
   }
 }
 
-// Moves the disparities [begin, end) by up to PathSlot::kPad, in one pass over the message, against
-// the direction of the jump.
+// Calls move(t) for the vectors of the disparities [begin, end), against the direction of the jump,
+// so that none is read after it has been written.
+template <class T, class Move>
+HWY_INLINE void ForVectors(int begin, int end, int jump, const Move& move) {
+  const int first = begin & -kLanes<T>;
+  const int last = (end - 1) & -kLanes<T>;
+  if (jump > 0) {
+    for (int t = last; t >= first; t -= kLanes<T>) move(t);
+  } else {
+    for (int t = first; t <= last; t += kLanes<T>) move(t);
+  }
+}
+
+// Moves all disparities by up to PathSlot::kPad.
+template <class T>
+HWY_INLINE void MoveAll(int jump, const Journey<T>& journey) {
+  const Tag<T> d;
+  const Lanes<T> price = hn::Set(d, PriceOfStaying(journey));
+  const auto move = [&](int t) STEREO_SGMP_INLINE_ATTR {
+    T* const here = journey.message + t;
+    const Lanes<T> stays = hn::SaturatedAdd(hn::Load(d, here), price);
+    hn::Store(hn::Min(stays, hn::LoadU(d, here - jump)), d, here);
+  };
+  ForVectors<T>(0, journey.disparities, jump, move);
+}
+
+// Moves the disparities [begin, end) by up to PathSlot::kPad.
 template <class T, class Shape>
 HWY_INLINE void MoveCell(const Shape& shape, int begin, int end, int jump,
                          const Journey<T>& journey) {
   const Tag<T> d;
   const Lanes<T> price = hn::Set(d, PriceOfStaying(journey));
   const Lanes<T> unreachable = hn::Set(d, PathSlot<T>::kUnreachable);
-  const int last = shape.Count() - 1;
-  for (int i = 0; i <= last; ++i) {
-    const int t = (jump > 0 ? last - i : i) * kLanes<T>;
+  const auto move = [&](int t) STEREO_SGMP_INLINE_ATTR {
+    T* const place = journey.message + t;
     const auto leaves = LanesOf<T>(begin, end, t);
     const auto comes = LanesOf<T>(begin + jump, end + jump, t);
-    const Lanes<T> here = hn::Load(d, journey.message + t);
-    const Lanes<T> from_afar = hn::LoadU(d, journey.message + t - jump);
+    const Lanes<T> here = hn::Load(d, place);
     const Lanes<T> stays = hn::IfThenElse(leaves, hn::SaturatedAdd(here, price), here);
-    hn::Store(hn::Min(stays, hn::IfThenElse(comes, from_afar, unreachable)), d,
-              journey.message + t);
-  }
+    const Lanes<T> arrives = hn::IfThenElse(comes, hn::LoadU(d, place - jump), unreachable);
+    hn::Store(hn::Min(stays, arrives), d, place);
+  };
+  if (shape.Count() == 1) return move(0);
+  ForVectors<T>(std::max(0, std::min(begin, begin + jump)),
+                std::min(journey.disparities, std::max(end, end + jump)), jump, move);
 }
 
 // Leaves of a message the least of M_r(p, d) over the d with d + j_p(d) = t, and of M_r(p, t) +
@@ -134,8 +160,13 @@ HWY_INLINE void MoveMessage(const Shape& shape, const JumpRow& row, std::size_t 
   if (HWY_UNLIKELY(jump < -PathSlot<T>::kPad || jump > PathSlot<T>::kPad)) {
     return MoveSegments(row, entry, journey, scratch);
   }
+  const int begin = row.begin[entry];
   const int end = std::min<int>(row.end[entry], journey.all_disparities);
-  MoveCell(shape, row.begin[entry], end, jump, journey);
+  if (begin == 0 && end == journey.all_disparities) {
+    MoveAll(jump, journey);
+  } else {
+    MoveCell(shape, begin, end, jump, journey);
+  }
 }
 
 }  // namespace HWY_NAMESPACE
