@@ -32,6 +32,10 @@ HWY_INLINE Lanes<T> OfferOf(Lanes<T> excess, Lanes<T> base) {
   }
 }
 
+// Indices up to here take one byte, those beyond two, of which each is kept for itself. A window
+// that shrinks may hold indices beyond its lanes.
+inline constexpr int kMostByteIndices = 256;
+
 // The winners of all right pixels in a window of `lanes`, of which `first` stands in the first
 // lane, the one to its left in the second and so on.
 template <class T>
@@ -101,8 +105,7 @@ class RightWindow {
  private:
   static constexpr T kNoOffer = std::numeric_limits<T>::max();
   static constexpr int kMost = Shape::kMost;
-  // Indices beyond 255 take two bytes, of which each is kept for itself.
-  static constexpr int kIndexParts = sizeof(T) == 1 && kMost * kLanes<T> > 256 ? 2 : 1;
+  static constexpr int kIndexParts = sizeof(T) == 1 && kMost * kLanes<T> > kMostByteIndices ? 2 : 1;
 
   HWY_INLINE int Count() const { return shape_.Count(); }
   HWY_INLINE T* IndexPart(int part) const { return s_.right.index + part * s_.stride; }

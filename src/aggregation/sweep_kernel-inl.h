@@ -15,6 +15,7 @@
 
 #include "aggregation/lanes-inl.h"
 #include "aggregation/message_kernel-inl.h"
+#include "aggregation/right_window-inl.h"
 #include "aggregation/step_kernel-inl.h"
 #include "aggregation/stretch_sums-inl.h"
 #include "aggregation/winner_kernel-inl.h"
@@ -185,6 +186,12 @@ void SweepPart(const SweepStretch<T>& s) {
 
 template <class T, int kPaths, int kVectors>
 void SweepVectors(const SweepStretch<T>& s) {
+  // The right window may hold indices of pixels that reach more disparities.
+  if constexpr (sizeof(T) == 1 && kVectors != kAnyVectors &&
+                kVectors * kLanes<T> <= kMostByteIndices) {
+    if (s.kind == SweepKind::kLast && s.all_disparities > kMostByteIndices)
+      return SweepPart<T, kPaths, PixelShape<T, kAnyVectors, false>>(s);
+  }
   // Not for what is rare: each shape takes seconds to compile.
   if constexpr (kPaths == kPathsPerSweep && kVectors != kAnyVectors) {
     if (s.kind != SweepKind::kStates && s.disparities % kLanes<T> == 0)

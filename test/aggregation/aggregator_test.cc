@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
+#include <atomic>
+#include <chrono>
 #include <cstring>
 #include <random>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "aggregation/reference_aggregation.h"
@@ -32,6 +35,27 @@ class ReferenceCosts : public CostRows {
 
  private:
   const reference::Volume& volume_;
+};
+
+// Costs whose first row is handed out when the backward sweep has come to the middle: so the
+// forward sweep completes S of all rows below, however the threads run.
+class LateFirstRow : public CostRows {
+ public:
+  explicit LateFirstRow(const CostRows& costs) : costs_(costs) {}
+  const VolumeShape& shape() const override { return costs_.shape(); }
+  int unit() const override { return costs_.unit(); }
+  const std::uint8_t* Row(int y, int x_begin, int x_end, std::uint8_t* scratch) const override {
+    if (y == (shape().height + 1) / 2) met_ = true;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (y == 0 && !met_ && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+    return costs_.Row(y, x_begin, x_end, scratch);
+  }
+
+  bool have_met() const { return met_; }
+
+ private:
+  const CostRows& costs_;
+  mutable std::atomic<bool> met_{false};
 };
 
 // A prior given as a function.
@@ -152,6 +176,20 @@ class AggregatorTest : public ::testing::Test {
     return winners;
   }
 
+  // With both sweeps completing S, which takes two rows for each.
+  WinnerMap RunFromBothEnds(const reference::Volume& volume, const cv::Mat& guide,
+                            const reference::JumpFunction& jump, int slack) {
+    ThreadPool pool(2);
+    const ReferenceCosts costs(volume);
+    const LateFirstRow late(costs);
+    const FunctionPrior prior(volume.shape, jump);
+    WinnerMap winners;
+    // A new one: buffers are those of the vector length that has filled them.
+    Aggregator().Run(late, guide, options_, PathPrior{&prior, &prior, slack}, 0, &pool, &winners);
+    EXPECT_TRUE(late.have_met());
+    return winners;
+  }
+
   void ExpectReference(const reference::JumpFunction& jump, int slack) {
     unsigned seed = 1;
     for (const Case& size : kSizes) {
@@ -241,6 +279,28 @@ TEST_F(AggregatorTest, EverySimdTargetGivesTheSameBits) {
     }
   }
   hwy::SetSupportedTargetsForTest(0);
+}
+
+TEST_F(AggregatorTest, BothSweepsCompleteSToTheSameBits) {
+  for (const Case& size : {Case{33, 6, 32, 0}, Case{65, 11, 20, -9}, Case{31, 8, 64, 40},
+                           Case{140, 4, 140, 5}, Case{200, 4, 256, -3}, Case{264, 4, 262, 0}}) {
+    for (const int unit : {1, kBytes}) {
+      for (const PathScheme scheme : {PathScheme::kEight, PathScheme::kFourTwice}) {
+        SCOPED_TRACE(::testing::Message() << size.width << "x" << size.height << "x"
+                                          << size.disparities << ", unit " << unit);
+        options_.scheme = scheme;
+        const reference::Volume volume = RandomVolume(size, 5, unit);
+        const cv::Mat guide = RandomGuide(size, CV_8UC1, 5);
+        const WinnerMap expected = reference::Aggregate(volume, guide, options_, kSeveralJumps, 15);
+        for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+          SCOPED_TRACE(hwy::TargetName(target));
+          hwy::SetSupportedTargetsForTest(target);
+          ExpectSame(RunFromBothEnds(volume, guide, kSeveralJumps, 15), expected);
+        }
+        hwy::SetSupportedTargetsForTest(0);
+      }
+    }
+  }
 }
 
 TEST_F(AggregatorTest, StripsKeepToTheLimitWhereAnyDo) {
