@@ -14,12 +14,6 @@ constexpr float kSmallestEpsilon = 1e-6F;
 
 }  // namespace
 
-void NccCost::Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape,
-                      double epsilon, bool vertical_tolerance, int unit, ThreadPool* pool) {
-  Start(left, right, shape, epsilon, vertical_tolerance, unit, pool);
-  Complete(pool);
-}
-
 void NccCost::Start(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape,
                     double epsilon, bool vertical_tolerance, int unit, ThreadPool* pool) {
   CheckCostUnit(unit);

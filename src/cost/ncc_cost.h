@@ -32,10 +32,6 @@ class NccCost final : public CostRows {
   void ComputeAhead(const std::function<bool()>& is_enough) { volume_.ComputeAhead(is_enough); }
   void Complete(ThreadPool* pool) { volume_.Complete(pool); }
 
-  // The whole volume at once.
-  void Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape, double epsilon,
-               bool vertical_tolerance, int unit, ThreadPool* pool);
-
   const VolumeShape& shape() const override { return volume_.shape(); }
   int unit() const override { return unit_; }
   const std::uint8_t* Row(int y, int x_begin, int x_end, std::uint8_t* scratch) const override {

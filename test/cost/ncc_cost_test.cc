@@ -60,7 +60,8 @@ TEST(NccCostTest, EqualsScalarReferenceOnAllTargets) {
     const cv::Mat left = RandomGray(shape.width, shape.height, 1);
     const cv::Mat right = RandomGray(shape.width, shape.height, 2);
     ForEachTarget([&] {
-      cost.Prepare(left, right, shape, 1.0, false, 1, &pool);
+      cost.Start(left, right, shape, 1.0, false, 1, &pool);
+      cost.Complete(&pool);
       ExpectCosts(cost, Reference(left, right, 1.0F, 0));
     });
   }
@@ -74,7 +75,8 @@ TEST(NccCostTest, VerticalToleranceTakesTheMinimumOfThreeRows) {
     const cv::Mat left = RandomGray(shape.width, shape.height, 3);
     const cv::Mat right = RandomGray(shape.width, shape.height, 4);
     ForEachTarget([&] {
-      cost.Prepare(left, right, shape, 1.0, true, 1, &pool);
+      cost.Start(left, right, shape, 1.0, true, 1, &pool);
+      cost.Complete(&pool);
       ExpectCosts(cost, Reference(left, right, 1.0F, 1));
     });
   }
@@ -88,7 +90,8 @@ TEST(NccCostTest, CompactCostsAreTheFullOnesInUnits) {
   NccCost cost;
   for (int unit = 2; unit <= 16; ++unit) {
     ForEachTarget([&] {
-      cost.Prepare(left, right, shape, 1.0, true, unit, &pool);
+      cost.Start(left, right, shape, 1.0, true, unit, &pool);
+      cost.Complete(&pool);
       EXPECT_EQ(cost.unit(), unit);
       ExpectCosts(cost, InUnits(Reference(left, right, 1.0F, 1), unit));
     });
@@ -101,7 +104,8 @@ TEST(NccCostTest, EpsilonIsAddedToTheDenominator) {
   const cv::Mat right = RandomGray(shape.width, shape.height, 6) / 8;
   ThreadPool pool(1);
   NccCost cost;
-  cost.Prepare(left, right, shape, 50.0, false, 1, &pool);
+  cost.Start(left, right, shape, 50.0, false, 1, &pool);
+  cost.Complete(&pool);
   ExpectCosts(cost, Reference(left, right, 50.0F, 0));
 }
 
@@ -110,7 +114,8 @@ int CostOfSamePlace(const cv::Mat& left, const cv::Mat& right, double epsilon) {
   const VolumeShape shape{left.cols, left.rows, 1, 0};
   ThreadPool pool(1);
   NccCost cost;
-  cost.Prepare(left, right, shape, epsilon, false, 1, &pool);
+  cost.Start(left, right, shape, epsilon, false, 1, &pool);
+  cost.Complete(&pool);
   return cost.Row(left.rows / 2, left.cols / 2, left.cols / 2 + 1, nullptr)[0];
 }
 
