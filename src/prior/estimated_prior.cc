@@ -81,17 +81,28 @@ const PlaneSets& EstimatedPrior::SpreadOverSuperpixels(const PriorOptions& optio
                                                        const cv::Mat& coarse_left,
                                                        ThreadPool* threads,
                                                        const SideWork& beside) {
+  constexpr std::size_t kFind = 0;
+  constexpr std::size_t kSegment = 1;
   std::atomic<bool> have_planes{false};
-  RunJobs({{[&] { FindPlanes(options, coarse, &have_planes); }, {}}, SideJob(beside, have_planes)},
-          threads);
-  superpixels_.Segment(coarse_left, options.superpixel_size, kCompactness, threads);
-  modal_.Assign(hypotheses_.map(), superpixels_, options.min_support);
+  std::vector<ThreadPool::Job> jobs = {
+      {[&] { FindPlanes(options, coarse, &have_planes); }, {}},
+      {[&] { superpixels_.Segment(coarse_left, options.superpixel_size, kCompactness, nullptr); },
+       {}},
+      SideJob(beside, have_planes),
+      {[&] { modal_.Assign(hypotheses_.map(), superpixels_, options.min_support); },
+       {kFind, kSegment}}};
+  if (options.spread) {
+    jobs.push_back({[&] {
+                      SpreadLabels(coarse_left);
+                      spread_modal_.Assign(spread_, superpixels_, 0.0);
+                    },
+                    {kFind, kSegment}});
+  }
+  RunJobs(jobs, threads);
   modal_.labels().copyTo(report_.labels);
   if (options.spread) {
-    SpreadLabels(coarse_left);
-    modal_.Assign(spread_, superpixels_, 0.0);
     cv::compare(report_.labels, 0, unlabelled_, cv::CMP_LT);
-    modal_.labels().copyTo(report_.labels, unlabelled_);
+    spread_modal_.labels().copyTo(report_.labels, unlabelled_);
   }
   SetsOfLabels(report_.labels, hypotheses_.map().planes.size(), &modal_sets_);
   return modal_sets_;

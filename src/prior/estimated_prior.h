@@ -67,6 +67,7 @@ class EstimatedPrior {
   PlaneHypotheses hypotheses_;
   Superpixels superpixels_;
   ModalPlanes modal_;
+  ModalPlanes spread_modal_;  // of the labels that have been spread
   cv::Mat unlabelled_;
   PlaneSets modal_sets_;
   ConvexHulls hulls_;
