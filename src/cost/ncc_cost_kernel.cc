@@ -7,7 +7,10 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cost/ncc_cost_kernel.cc"
 #include <hwy/foreach_target.h>
+
 #include <hwy/highway.h>
+
+#include "cost/pair_dot-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace stereo_sgmp {
@@ -17,40 +20,27 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D32 = hn::CappedTag<std::int32_t, 16>;
 using DF = hn::RebindToFloat<D32>;
 using V32 = hn::Vec<D32>;
+using VF = hn::Vec<DF>;
 
 constexpr int kColumns = 2 * kPatchRadius + 1;
 // Disparities worked on at a time: the sums of all columns of a patch then stay in the L1 cache.
 constexpr int kBlock = 256;
 
-// Products of the left and right pixels in one column of two patches, summed, times 25, per
-// disparity, for each row of right patches and the latest columns.
+// Products of the left and right pixels in one column of two patches, summed, times 25, for the
+// latest columns, and the sums of as many columns as a patch has: a vector of disparities for each
+// row of right patches, then the next disparities. So they lie close together, however many
+// disparities there are, and no part of the first-level cache has to hold more than others.
 template <int kRightCount>
 struct ColumnSums {
-  HWY_ALIGN std::int32_t ring[kColumns][kRightCount][kBlock];
+  HWY_ALIGN std::int32_t ring[kColumns][kRightCount * kBlock];
+  HWY_ALIGN std::int32_t patch[kRightCount * kBlock];
 
   // For x >= -2 kColumns.
-  std::int32_t* Column(int x) { return ring[(x + 2 * kColumns) % kColumns][0]; }
+  std::int32_t* Column(int x) { return ring[(x + 2 * kColumns) % kColumns]; }
 };
 
 // Added to a float of 0 to 2^22, leaves the nearest whole number in its lowest bits.
 constexpr float kRoundingBias = 12582912.0F;
-
-// sum + a_low b_low + a_high b_high of pairs of signed 16-bit numbers in each 32 bits.
-HWY_INLINE V32 PairDot([[maybe_unused]] D32 d32, V32 a, V32 b, V32 sum) {
-#if HWY_TARGET == HWY_SCALAR
-  const V32 low =
-      hn::Mul(hn::ShiftRight<16>(hn::ShiftLeft<16>(a)), hn::ShiftRight<16>(hn::ShiftLeft<16>(b)));
-  const V32 high = hn::Mul(hn::ShiftRight<16>(a), hn::ShiftRight<16>(b));
-  return hn::Add(sum, hn::Add(low, high));
-#else
-  const hn::Repartition<std::int16_t, D32> d16;
-  // `sum` stays out of the accumulators: which lanes they hold depends on the target.
-  V32 odd = hn::Zero(d32);
-  const V32 even = hn::ReorderWidenMulAccumulate(d32, hn::BitCast(d16, a), hn::BitCast(d16, b),
-                                                 hn::Zero(d32), odd);
-  return hn::Add(sum, hn::RearrangeToOddPlusEven(even, odd));
-#endif
-}
 
 // Disparity indices of the block that begins at `first`, out of those whose match column lies
 // inside the image widened by `border`, relative to the block.
@@ -88,9 +78,9 @@ HWY_INLINE V32 ColumnSum(const LeftColumn& left, const V32* right_pairs, int i) 
 }
 
 // round(255 (1 - ncc)) in the lowest bits.
-HWY_INLINE V32 RoundedCost(hn::Vec<DF> ncc) {
+HWY_INLINE V32 RoundedCost(VF ncc) {
   const DF df;
-  const auto cost = hn::Mul(hn::Sub(hn::Set(df, 1.0F), ncc), hn::Set(df, 255.0F));
+  const VF cost = hn::Mul(hn::Sub(hn::Set(df, 1.0F), ncc), hn::Set(df, 255.0F));
   return hn::BitCast(D32(), hn::Add(cost, hn::Set(df, kRoundingBias)));
 }
 
@@ -126,25 +116,26 @@ HWY_INLINE void NccBlock(const NccRows& rows, const VolumeShape& shape, float ep
   const auto scaled_epsilon = hn::Set(df, static_cast<float>(kPatchPixels) * epsilon);
 
   const MatchSpan span = BlockSpan(shape, column, first, kPatchRadius);
-  std::int32_t* const latest_sums = sums->Column(column);
-  const std::int32_t* earlier_sums[kColumns - 1];
-  for (int i = 0; i < kColumns - 1; ++i) earlier_sums[i] = sums->Column(column - 1 - i);
+  std::int32_t* const column_sums = sums->Column(column);
   for (int k = span.begin / lanes * lanes; k < span.end; k += lanes) {
     V32 right[kPairs];
     for (int j = 0; j < kPairs; ++j) right[j] = hn::LoadU(d32, pairs[j] + k);
-    auto ncc = hn::Zero(df);
+    VF ncc = hn::Zero(df);
     for (int i = 0; i < kRightCount; ++i) {
+      const int place = k * kRightCount + i * lanes;
       const V32 latest = ColumnSum(left, right, i);
-      hn::Store(latest, d32, latest_sums + i * kBlock + k);
+      // 0 for disparities whose matches have just entered the image.
+      const V32 leaves = hn::Load(d32, column_sums + place);
+      const V32 others = hn::Sub(hn::Load(d32, sums->patch + place), leaves);
+      const V32 patch = hn::Add(others, latest);
+      hn::Store(latest, d32, column_sums + place);
+      hn::Store(patch, d32, sums->patch + place);
       if (!kCosts) continue;
       // 625 times the covariance of the patches: 25 sum l r - sum l sum r, exactly.
-      V32 covariance = PairDot(d32, minus_left_sum, hn::LoadU(d32, right_sums[i] + k), latest);
-      for (const std::int32_t* earlier : earlier_sums) {
-        covariance = hn::Add(covariance, hn::Load(d32, earlier + i * kBlock + k));
-      }
-      const auto deviations = hn::Mul(left_deviation, hn::LoadU(df, right_deviations[i] + k));
-      ncc =
-          hn::Max(ncc, hn::Div(hn::ConvertTo(df, covariance), hn::Add(deviations, scaled_epsilon)));
+      const V32 covariance = PairDot(d32, minus_left_sum, hn::LoadU(d32, right_sums[i] + k), patch);
+      const VF deviations = hn::Mul(left_deviation, hn::LoadU(df, right_deviations[i] + k));
+      const VF divisor = hn::Add(deviations, scaled_epsilon);
+      ncc = hn::Max(ncc, hn::Div(hn::ConvertTo(df, covariance), divisor));
     }
     if (!kCosts) continue;
     hn::StoreU(hn::TruncateTo(d8, hn::BitCast(du32, RoundedCost(ncc))), d8, costs + k);
@@ -154,9 +145,9 @@ HWY_INLINE void NccBlock(const NccRows& rows, const VolumeShape& shape, float ep
 template <int kRightCount>
 void NccRow(const NccRows& rows, const VolumeShape& shape, float epsilon, std::uint8_t* costs) {
   // Costs outside the image are computed, from whatever stands there, and replaced in the end.
-  ColumnSums<kRightCount> sums = {};
   const std::ptrdiff_t stride = shape.Stride();
   for (int first = 0; first < shape.disparities; first += kBlock) {
+    ColumnSums<kRightCount> sums = {};
     for (int x = -2 * kPatchRadius; x < 0; ++x) {
       NccBlock<kRightCount, false>(rows, shape, epsilon, x, first, &sums, nullptr);
     }

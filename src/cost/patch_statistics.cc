@@ -1,7 +1,6 @@
 #include "cost/patch_statistics.h"
 
-#include <algorithm>
-#include <cmath>
+#include "cost/patch_statistics_kernel.h"
 
 namespace stereo_sgmp {
 namespace {
@@ -19,10 +18,15 @@ void PatchStatistics::Compute(const PaddedGray& image, ThreadPool* pool) {
   sums_.Resize(stride_ * rows);
   deviations_.Resize(stride_ * rows);
   pool->ForRanges(image.height(), [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) StatisticsRow(image, y);
     const int first = begin == 0 ? -kPatchRadius : begin;
     const int last = end == image.height() ? end + kPatchRadius : end;
     for (int y = first; y < last; ++y) PairRow(image, y);
+  });
+  pool->ForRanges(image.height(), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      SumPatches({Pairs(y - kPatchRadius), Pairs(y), Pairs(y + kPatchRadius)}, image.width(),
+                 sums_.data() + Offset(y), deviations_.data() + Offset(y));
+    }
   });
 }
 
@@ -32,30 +36,6 @@ void PatchStatistics::PairRow(const PaddedGray& image, int y) {
   std::int32_t* pairs = pairs_.data() + Offset(y + kPatchRadius);
   for (int x = -kPatchRadius; x < image.width() + kPatchRadius; ++x) {
     pairs[x] = row[x] | next[x] << 16;
-  }
-}
-
-void PatchStatistics::StatisticsRow(const PaddedGray& image, int y) {
-  const std::uint8_t* rows[2 * kPatchRadius + 1];
-  for (int dy = -kPatchRadius; dy <= kPatchRadius; ++dy) {
-    rows[dy + kPatchRadius] = image.Row(y + dy);
-  }
-  const auto add_column = [&rows](int x, int sign, int* sum, int* squares) {
-    for (const std::uint8_t* row : rows) {
-      *sum += sign * row[x];
-      *squares += sign * row[x] * row[x];
-    }
-  };
-  std::int32_t* sums = sums_.data() + Offset(y);
-  float* deviations = deviations_.data() + Offset(y);
-  int sum = 0;
-  int squares = 0;
-  for (int x = -kPatchRadius; x < kPatchRadius; ++x) add_column(x, 1, &sum, &squares);
-  for (int x = 0; x < image.width(); ++x) {
-    add_column(x + kPatchRadius, 1, &sum, &squares);
-    sums[x] = sum;
-    deviations[x] = std::sqrt(static_cast<float>(kPatchPixels * squares - sum * sum));
-    add_column(x - kPatchRadius, -1, &sum, &squares);
   }
 }
 

@@ -39,7 +39,6 @@ class PatchStatistics {
     return static_cast<std::size_t>(row) * stride_ + static_cast<std::size_t>(kMargin);
   }
   void PairRow(const PaddedGray& image, int y);
-  void StatisticsRow(const PaddedGray& image, int y);
 
   std::size_t stride_ = 0;
   AlignedBuffer<std::int32_t> pairs_;
