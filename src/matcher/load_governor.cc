@@ -8,8 +8,14 @@
 namespace stereo_sgmp {
 namespace {
 
-constexpr int kLateFrames = 2;
+// In budgets. A frame that waits for longer than one is lost to the next. A single late frame
+// lowers nothing.
+constexpr double kMostBehind = 1.0;
+constexpr double kMostAdded = 0.6;
 constexpr double kMargin = 0.9;  // share of the budget that a raise may be expected to take
+constexpr int kGrowth = 8;       // of the patience with a level that has proved too slow
+constexpr double kWeightOfNewest = 0.125;
+constexpr int kTrial = 60;  // frames after which a raise has proved right
 
 }  // namespace
 
@@ -18,26 +24,40 @@ void LoadGovernor::Update(double time, double budget) {
     *this = LoadGovernor();
     return;
   }
-  ++since_raise_;
-  if (since_raise_ > 2 * patience_) patience_ = std::max(kFirstPatience, patience_ / 2);
-  late_ = time > budget ? late_ + 1 : 0;
-  if (late_ >= kLateFrames) return Lower();
+  const double share = time / budget;
+  ++frames_;
+  mean_ += (frames_ == 1 ? 1.0 : kWeightOfNewest) * (share - mean_);
+  behind_ = std::max(0.0, behind_ + std::min(share - 1.0, kMostAdded));
+  if (behind_ >= kMostBehind) return Lower();
+  if (on_trial_ && frames_ > kTrial) {
+    on_trial_ = false;
+    if (level_ <= too_slow_) too_slow_ = -1;
+  }
   const double ratio = LoadLevels()[static_cast<std::size_t>(level_)].cost_of_previous;
-  early_ = level_ > 0 && time * ratio < kMargin * budget ? early_ + 1 : 0;
-  if (early_ >= patience_) Raise();
+  if (level_ > 0 && frames_ >= Patience() && mean_ * ratio < kMargin) Raise();
 }
 
+int LoadGovernor::Patience() const { return level_ - 1 > too_slow_ ? kFirstPatience : patience_; }
+
 void LoadGovernor::Lower() {
-  late_ = early_ = 0;
-  if (level_ + 1 == static_cast<int>(LoadLevels().size())) return;
-  const bool raise_failed = since_raise_ <= patience_;
-  if (raise_failed) patience_ = std::min(2 * patience_, kLastPatience);
-  ++level_;
+  if (on_trial_) {
+    const int before = level_ == too_slow_ ? patience_ : kFirstPatience;
+    patience_ = std::min(kGrowth * before, kLastPatience);
+    too_slow_ = level_;
+  }
+  on_trial_ = false;
+  GoTo(std::min(level_ + 1, static_cast<int>(LoadLevels().size()) - 1));
 }
 
 void LoadGovernor::Raise() {
-  late_ = early_ = since_raise_ = 0;
-  --level_;
+  on_trial_ = true;
+  GoTo(level_ - 1);
+}
+
+void LoadGovernor::GoTo(int level) {
+  level_ = level;
+  frames_ = 0;
+  behind_ = 0.0;
 }
 
 }  // namespace stereo_sgmp

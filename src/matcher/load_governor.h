@@ -4,9 +4,10 @@
 namespace stereo_sgmp {
 
 // Chooses the load level (matcher/load_level.h) from the times of the frames: one level down when
-// two frames in a row exceed their budget, one up when the time that the level above takes at
-// least would fit. A level that turns out too slow is tried again after twice as many frames as
-// the time before, so that the level does not swing.
+// frames have fallen a budget behind, which late frames add to and early ones make up for; one up
+// when the time that the level above takes at least would fit. A level that turns out too slow is
+// tried again after eight times as many frames as the time before, so that the level does not
+// swing.
 class LoadGovernor {
  public:
   // Index into LoadLevels().
@@ -18,15 +19,19 @@ class LoadGovernor {
  private:
   void Lower();
   void Raise();
+  void GoTo(int level);
+  int Patience() const;
 
   static constexpr int kFirstPatience = 8;
-  static constexpr int kLastPatience = 256;
+  static constexpr int kLastPatience = 512;
 
   int level_ = 0;
-  int late_ = 0;                         // frames in a row that exceeded their budget
-  int early_ = 0;                        // frames in a row that left time for the level above
-  int patience_ = kFirstPatience;        // early frames before a raise
-  int since_raise_ = 2 * kLastPatience;  // frames
+  int frames_ = 0;                 // at this level
+  double mean_ = 0.0;              // time of its frames, the latest most, in budgets
+  double behind_ = 0.0;            // in budgets
+  bool on_trial_ = false;          // whether the level was reached from below, not long ago
+  int too_slow_ = -1;              // the level that was tried last, and proved to be
+  int patience_ = kFirstPatience;  // frames before it is tried again
 };
 
 }  // namespace stereo_sgmp
