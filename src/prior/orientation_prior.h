@@ -28,8 +28,8 @@ struct JumpRow {
   static constexpr std::int16_t kVaries = INT16_MIN;
   static constexpr std::int16_t kNoEnd = INT16_MAX;
 
-  // Per pixel: the jump of the disparity indices [begin, end), while all others stay; or kVaries
-  // where there are several jumps.
+  // Per pixel, and of all but `jump` perhaps more: the jump of the disparity indices [begin, end),
+  // while all others stay; or kVaries where there are several jumps.
   std::vector<std::int16_t> jump;
   std::vector<std::int16_t> begin;
   std::vector<std::int16_t> end;
@@ -39,13 +39,15 @@ struct JumpRow {
   std::vector<std::int16_t> segment_count;
   std::vector<JumpSegment> segments;
 
-  // `count` pixels without a jump; their begin and end are unspecified.
+  // `count` pixels without a jump; the rest of them is unspecified.
   void Reset(std::size_t count) {
     jump.assign(count, 0);
-    begin.resize(count);
-    end.resize(count);
-    first_segment.resize(count);
-    segment_count.resize(count);
+    if (begin.size() < count) {
+      begin.resize(count);
+      end.resize(count);
+      first_segment.resize(count);
+      segment_count.resize(count);
+    }
     segments.clear();
   }
 

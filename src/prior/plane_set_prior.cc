@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -242,13 +241,16 @@ void PlaneSetPrior::FollowRun(const Question& question, std::size_t set_id, int 
       planes.data(),      set.count,    moving.places.data(), moving.count,        count,
       shape_.disparities, steps.data(), set.planes.data(),    question.step_count, pixels.data()};
   FollowPlaneRuns(runs, &moves);
-  std::optional<PlaneColumns> columns;
+  std::uint64_t several = 0;
+  for (int s = 0; s < question.step_count; ++s) {
+    WriteMoves(runs, moves, s, x_p + question.steps[s].dx - question.first_x, question.rows + s);
+    several |= moves.several[At(s)];
+  }
+  if (several == 0) return;
+  PlaneColumns columns(planes_, set, x_p, y_p);
   for (int s = 0; s < question.step_count; ++s) {
     const int entry = x_p + question.steps[s].dx - question.first_x;
-    WriteMoves(runs, moves, s, entry, question.rows + s);
-    if (moves.several[At(s)] == 0) continue;
-    if (!columns) columns.emplace(planes_, set, x_p, y_p);
-    WriteSeveral(runs, moves.several[At(s)], s, entry, &*columns, question.rows + s);
+    WriteSeveral(runs, moves.several[At(s)], s, entry, &columns, question.rows + s);
   }
 }
 

@@ -26,7 +26,11 @@ class SegmentWriter {
     if (row_.segments.size() > first_ && row_.segments.back().jump == jump) {
       row_.segments.back().end = end;
     } else {
-      row_.segments.push_back({written_, end, jump});
+      // Put together in place: a copy of what has just been written has to wait for it.
+      JumpSegment& segment = row_.segments.emplace_back();
+      segment.begin = written_;
+      segment.end = end;
+      segment.jump = jump;
     }
     written_ = end;
   }

@@ -64,7 +64,7 @@ class FunctionPrior : public OrientationPrior {
   FunctionPrior(VolumeShape shape, reference::JumpFunction jump)
       : shape_(shape), jump_(std::move(jump)) {}
   void Jumps(int y, int x_begin, int x_end, PathStep step, JumpRow* row) const override {
-    row->Reset(0);
+    row->Reset(static_cast<std::size_t>(x_end - x_begin));
     for (int x = x_begin; x < x_end; ++x) {
       const auto first = row->segments.size();
       for (int d = 0; d < shape_.disparities; ++d) {
@@ -74,14 +74,14 @@ class FunctionPrior : public OrientationPrior {
         }
         row->segments.back().end = d + 1;
       }
-      Point(first, (x + y) % 2 == 0, row);
+      Point(static_cast<std::size_t>(x - x_begin), first, (x + y) % 2 == 0, row);
     }
   }
 
  private:
-  // Adds a pixel whose segments are those from `first` on; with `as_cell` in the short form, where
+  // Sets a pixel whose segments are those from `first` on; with `as_cell` in the short form, where
   // one of them moves or all of them alike.
-  static void Point(std::size_t first, bool as_cell, JumpRow* row) {
+  static void Point(std::size_t entry, std::size_t first, bool as_cell, JumpRow* row) {
     JumpSegment moving;
     int count = 0;
     for (std::size_t i = first; i < row->segments.size(); ++i) {
@@ -91,11 +91,11 @@ class FunctionPrior : public OrientationPrior {
     }
     const std::size_t segments = row->segments.size() - first;
     const bool is_cell = segments == 1 || (as_cell && count == 1);
-    row->jump.push_back(is_cell ? static_cast<std::int16_t>(moving.jump) : JumpRow::kVaries);
-    row->begin.push_back(static_cast<std::int16_t>(moving.begin));
-    row->end.push_back(static_cast<std::int16_t>(moving.end));
-    row->first_segment.push_back(static_cast<std::int32_t>(first));
-    row->segment_count.push_back(static_cast<std::int16_t>(segments));
+    row->jump[entry] = is_cell ? static_cast<std::int16_t>(moving.jump) : JumpRow::kVaries;
+    row->begin[entry] = static_cast<std::int16_t>(moving.begin);
+    row->end[entry] = static_cast<std::int16_t>(moving.end);
+    row->first_segment[entry] = static_cast<std::int32_t>(first);
+    row->segment_count[entry] = static_cast<std::int16_t>(segments);
   }
 
   VolumeShape shape_;
