@@ -12,22 +12,28 @@ CensusShape ShapeOf(CensusWindow window) {
 
 }  // namespace
 
-void CensusCost::Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape,
-                         CensusWindow window, int unit, ThreadPool* pool) {
+void CensusCost::Start(const VolumeShape& shape, CensusWindow window, int unit) {
   CheckCostUnit(unit);
   shape_ = shape;
   unit_ = unit;
   window_ = window;
-  const CensusShape census = ShapeOf(window);
+}
+
+void CensusCost::PrepareLeft(const cv::Mat& left, ThreadPool* pool) {
   left_image_.Assign(left, Orientation::kNatural);
+  Transform(left_image_, &left_, pool);
+}
+
+void CensusCost::PrepareRight(const cv::Mat& right, ThreadPool* pool) {
   right_image_.Assign(right, Orientation::kMirrored);
-  left_.Create(census.Bytes(), shape.width, shape.height);
-  right_.Create(census.Bytes(), shape.width, shape.height);
-  pool->ForRanges(shape.height, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      CensusTransformRow(left_image_, census, y, &left_);
-      CensusTransformRow(right_image_, census, y, &right_);
-    }
+  Transform(right_image_, &right_, pool);
+}
+
+void CensusCost::Transform(const PaddedGray& image, FeaturePlanes* planes, ThreadPool* pool) const {
+  const CensusShape census = ShapeOf(window_);
+  planes->Create(census.Bytes(), shape_.width, shape_.height);
+  pool->ForRanges(shape_.height, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) CensusTransformRow(image, census, y, planes);
   });
 }
 

@@ -20,9 +20,12 @@ namespace stereo_sgmp {
 // the maximum. Compact costs are the CompactCost of these. Computed when asked for.
 class CensusCost final : public CostRows {
  public:
-  // Images: CV_8UC1 of the size of the shape. Throws std::invalid_argument for a unit out of range.
-  void Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape,
-               CensusWindow window, int unit, ThreadPool* pool);
+  // Throws std::invalid_argument for a unit out of range.
+  void Start(const VolumeShape& shape, CensusWindow window, int unit);
+  // Then both, in any order or at once, before costs are asked for. Images: CV_8UC1 of the size of
+  // the shape.
+  void PrepareLeft(const cv::Mat& left, ThreadPool* pool);
+  void PrepareRight(const cv::Mat& right, ThreadPool* pool);
 
   const VolumeShape& shape() const override { return shape_; }
   int unit() const override { return unit_; }
@@ -31,6 +34,8 @@ class CensusCost final : public CostRows {
   static std::size_t Memory(const VolumeShape& shape, CensusWindow window);
 
  private:
+  void Transform(const PaddedGray& image, FeaturePlanes* planes, ThreadPool* pool) const;
+
   VolumeShape shape_;
   int unit_ = 1;
   CensusWindow window_ = CensusWindow::k9x7;

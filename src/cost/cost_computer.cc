@@ -20,37 +20,63 @@ void CheckImage(const char* side, const cv::Mat& image, const VolumeShape& shape
 const CostRows& CostComputer::Prepare(const CostOptions& options, const cv::Mat& left,
                                       const cv::Mat& right, const VolumeShape& shape,
                                       const RadiometricFit& fit, int unit, ThreadPool* pool) {
-  const CostRows& costs = Start(options, left, right, shape, fit, unit, pool);
+  const CostRows& costs = Start(options, left, right, shape, fit, unit);
+  PrepareLeft(pool);
+  PrepareRight(pool);
   Complete(pool);
   return costs;
 }
 
 const CostRows& CostComputer::Start(const CostOptions& options, const cv::Mat& left,
                                     const cv::Mat& right, const VolumeShape& shape,
-                                    const RadiometricFit& fit, int unit, ThreadPool* pool) {
+                                    const RadiometricFit& fit, int unit) {
   CheckImage("left", left, shape);
   CheckImage("right", right, shape);
-  is_stored_ = options.kind == CostKind::kNcc;
+  kind_ = options.kind;
+  left_ = left;
+  right_ = right;
   switch (options.kind) {
     case CostKind::kNcc:
-      ncc_.Start(left, right, shape, options.ncc_epsilon, options.vertical_tolerance, unit, pool);
+      ncc_.Start(shape, options.ncc_epsilon, options.vertical_tolerance, unit);
       return ncc_;
     case CostKind::kCensus:
-      census_.Prepare(left, right, shape, options.census_window, unit, pool);
+      census_.Start(shape, options.census_window, unit);
       return census_;
     case CostKind::kMixed:
-      mixed_.Prepare(left, right, shape, fit, unit, pool);
+      mixed_.Start(shape, fit, unit);
       return mixed_;
   }
   throw std::invalid_argument("The matching cost is none of CostKind; use one that it lists.");
 }
 
+void CostComputer::PrepareLeft(ThreadPool* pool) {
+  switch (kind_) {
+    case CostKind::kNcc:
+      return ncc_.PrepareLeft(left_, pool);
+    case CostKind::kCensus:
+      return census_.PrepareLeft(left_, pool);
+    case CostKind::kMixed:
+      return mixed_.PrepareLeft(left_, pool);
+  }
+}
+
+void CostComputer::PrepareRight(ThreadPool* pool) {
+  switch (kind_) {
+    case CostKind::kNcc:
+      return ncc_.PrepareRight(right_, pool);
+    case CostKind::kCensus:
+      return census_.PrepareRight(right_, pool);
+    case CostKind::kMixed:
+      return mixed_.PrepareRight(right_, pool);
+  }
+}
+
 void CostComputer::ComputeAhead(const std::function<bool()>& is_enough) {
-  if (is_stored_) ncc_.ComputeAhead(is_enough);
+  if (kind_ == CostKind::kNcc) ncc_.ComputeAhead(is_enough);
 }
 
 void CostComputer::Complete(ThreadPool* pool) {
-  if (is_stored_) ncc_.Complete(pool);
+  if (kind_ == CostKind::kNcc) ncc_.Complete(pool);
 }
 
 std::size_t CostMemory(const CostOptions& options, const VolumeShape& shape) {

@@ -26,16 +26,20 @@ class CostComputer {
                           const VolumeShape& shape, const RadiometricFit& fit, int unit,
                           ThreadPool* pool);
 
-  // The same in parts, for who has time before all threads are free: the costs of NCC, which are
-  // stored, are there when Complete has returned.
+  // The same in parts, for who has time before all threads are free: after Start both images, in
+  // any order or at once, then what ComputeAhead gets done. The costs of NCC, which are stored, are
+  // there when Complete has returned, others when the images are prepared.
   const CostRows& Start(const CostOptions& options, const cv::Mat& left, const cv::Mat& right,
-                        const VolumeShape& shape, const RadiometricFit& fit, int unit,
-                        ThreadPool* pool);
+                        const VolumeShape& shape, const RadiometricFit& fit, int unit);
+  void PrepareLeft(ThreadPool* pool);
+  void PrepareRight(ThreadPool* pool);
   void ComputeAhead(const std::function<bool()>& is_enough);
   void Complete(ThreadPool* pool);
 
  private:
-  bool is_stored_ = false;  // those of the last Start
+  CostKind kind_ = CostKind::kMixed;  // of the last Start, as the images
+  cv::Mat left_;
+  cv::Mat right_;
   MixedCost mixed_;
   CensusCost census_;
   NccCost ncc_;

@@ -42,10 +42,16 @@ void GradientFeatures(const PaddedGray& image, int y, FeaturePlanes* planes) {
                        planes->Plane(MixedFeatures::kGradientY, y));
 }
 
-void Features(const PaddedGray& image, const GrayTable& table, int y, FeaturePlanes* planes) {
-  CensusTransformRow(image, MixedFeatures::kCensus, y, planes);
-  GrayFeatures(image, table, y, planes);
-  GradientFeatures(image, y, planes);
+void Features(const PaddedGray& image, const GrayTable& table, FeaturePlanes* planes,
+              ThreadPool* pool) {
+  planes->Create(MixedFeatures::kPlanes, image.width(), image.height());
+  pool->ForRanges(image.height(), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      CensusTransformRow(image, MixedFeatures::kCensus, y, planes);
+      GrayFeatures(image, table, y, planes);
+      GradientFeatures(image, y, planes);
+    }
+  });
 }
 
 void CheckUnit(int unit) {
@@ -58,24 +64,22 @@ void CheckUnit(int unit) {
 
 }  // namespace
 
-void MixedCost::Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape,
-                        const RadiometricFit& fit, int unit, ThreadPool* pool) {
+void MixedCost::Start(const VolumeShape& shape, const RadiometricFit& fit, int unit) {
   CheckUnit(unit);
   shape_ = shape;
   unit_ = unit;
+  fit_ = fit;
   ad_limit_ = cv::saturate_cast<std::uint8_t>(kAdLimit * fit.ad_weight);
+}
+
+void MixedCost::PrepareLeft(const cv::Mat& left, ThreadPool* pool) {
   left_image_.Assign(left, Orientation::kNatural);
+  Features(left_image_, WeightedGrays(1.0, 0.0, fit_.ad_weight), &left_, pool);
+}
+
+void MixedCost::PrepareRight(const cv::Mat& right, ThreadPool* pool) {
   right_image_.Assign(right, Orientation::kMirrored);
-  left_.Create(MixedFeatures::kPlanes, shape.width, shape.height);
-  right_.Create(MixedFeatures::kPlanes, shape.width, shape.height);
-  const GrayTable left_table = WeightedGrays(1.0, 0.0, fit.ad_weight);
-  const GrayTable right_table = WeightedGrays(fit.gain, fit.offset, fit.ad_weight);
-  pool->ForRanges(shape.height, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      Features(left_image_, left_table, y, &left_);
-      Features(right_image_, right_table, y, &right_);
-    }
-  });
+  Features(right_image_, WeightedGrays(fit_.gain, fit_.offset, fit_.ad_weight), &right_, pool);
 }
 
 const std::uint8_t* MixedCost::Row(int y, int x_begin, int x_end, std::uint8_t* scratch) const {

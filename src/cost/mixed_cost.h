@@ -28,10 +28,12 @@ class MixedCost final : public CostRows {
   // Of the compact costs.
   static constexpr int kCompactUnit = 7;
 
-  // Images: CV_8UC1 of the size of the shape. Throws std::invalid_argument unless the unit is 1 or
-  // kCompactUnit.
-  void Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape,
-               const RadiometricFit& fit, int unit, ThreadPool* pool);
+  // Throws std::invalid_argument unless the unit is 1 or kCompactUnit.
+  void Start(const VolumeShape& shape, const RadiometricFit& fit, int unit);
+  // Then both, in any order or at once, before costs are asked for. Images: CV_8UC1 of the size of
+  // the shape.
+  void PrepareLeft(const cv::Mat& left, ThreadPool* pool);
+  void PrepareRight(const cv::Mat& right, ThreadPool* pool);
 
   const VolumeShape& shape() const override { return shape_; }
   int unit() const override { return unit_; }
@@ -42,6 +44,7 @@ class MixedCost final : public CostRows {
  private:
   VolumeShape shape_;
   int unit_ = 1;
+  RadiometricFit fit_;
   std::uint8_t ad_limit_ = 0;
   PaddedGray left_image_;
   PaddedGray right_image_;

@@ -14,14 +14,9 @@ constexpr float kSmallestEpsilon = 1e-6F;
 
 }  // namespace
 
-void NccCost::Start(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape,
-                    double epsilon, bool vertical_tolerance, int unit, ThreadPool* pool) {
+void NccCost::Start(const VolumeShape& shape, double epsilon, bool vertical_tolerance, int unit) {
   CheckCostUnit(unit);
   unit_ = unit;
-  left_image_.Assign(left, Orientation::kNatural);
-  right_image_.Assign(right, Orientation::kMirrored);
-  left_.Compute(left_image_, pool);
-  right_.Compute(right_image_, pool);
   const float used_epsilon = std::max(static_cast<float>(epsilon), kSmallestEpsilon);
   const int tolerance = vertical_tolerance ? 1 : 0;
   volume_.Start(shape, [=](int y, std::uint8_t* costs) {
@@ -35,6 +30,16 @@ void NccCost::Start(const cv::Mat& left, const cv::Mat& right, const VolumeShape
     const int padded = shape.width * shape.Stride();
     CompactCosts(unit, static_cast<std::size_t>(padded), costs);
   });
+}
+
+void NccCost::PrepareLeft(const cv::Mat& left, ThreadPool* pool) {
+  left_image_.Assign(left, Orientation::kNatural);
+  left_.Compute(left_image_, pool);
+}
+
+void NccCost::PrepareRight(const cv::Mat& right, ThreadPool* pool) {
+  right_image_.Assign(right, Orientation::kMirrored);
+  right_.Compute(right_image_, pool);
 }
 
 std::size_t NccCost::Memory(const VolumeShape& shape) {

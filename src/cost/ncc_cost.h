@@ -24,11 +24,14 @@ namespace stereo_sgmp {
 // Sums are exact and the few float operations have one order: the same bits on every machine.
 class NccCost final : public CostRows {
  public:
-  // Prepares all but the costs, which ComputeAhead and Complete make (StoredCost). Images: CV_8UC1
-  // of the size of the shape. epsilon >= 0. Throws std::invalid_argument for a unit out of range.
-  void Start(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape, double epsilon,
-             bool vertical_tolerance, int unit, ThreadPool* pool);
+  // epsilon >= 0. Throws std::invalid_argument for a unit out of range.
+  void Start(const VolumeShape& shape, double epsilon, bool vertical_tolerance, int unit);
+  // Then both, in any order or at once, before costs are made. Images: CV_8UC1 of the size of the
+  // shape.
+  void PrepareLeft(const cv::Mat& left, ThreadPool* pool);
+  void PrepareRight(const cv::Mat& right, ThreadPool* pool);
 
+  // Make the costs, as StoredCost has it.
   void ComputeAhead(const std::function<bool()>& is_enough) { volume_.ComputeAhead(is_enough); }
   void Complete(ThreadPool* pool) { volume_.Complete(pool); }
 

@@ -101,21 +101,18 @@ class Matcher::Impl {
     result->statistics.searched_disparities = shape.disparities;
     clock.Mark("coarse pass");
     const CostRows* costs = given_costs ? &*given_costs : nullptr;
-    const SideWork prepare_costs = [&](const std::function<bool()>& have_planes) {
-      costs = &StartCosts(shape, &one_thread_);
-      if (costs == &kept_costs_) {
-        kept_costs_.ComputeAhead(have_planes);
-      } else {
-        costs_.ComputeAhead(have_planes);
-      }
-    };
+    const SideWork prepare_costs = PrepareCosts(shape, &costs);
     const PathPrior prior =
         prior_.Make(options_.prior, inputs, images_, coarse_, shape, pool_.get(),
-                    given_costs ? nullptr : prepare_costs, &result->priors);
+                    given_costs ? nullptr : &prepare_costs, &result->priors);
     result->statistics.planes = static_cast<int>(result->priors.planes.size());
     clock.Mark("prior");
 
-    if (costs == nullptr) costs = &StartCosts(shape, pool_.get());
+    if (costs == nullptr) {
+      costs = &StartCosts(shape);
+      costs_.PrepareLeft(pool_.get());
+      costs_.PrepareRight(pool_.get());
+    }
     if (!given_costs) costs_.Complete(pool_.get());
     clock.Mark("cost");
     const cv::Mat& guide =
@@ -142,10 +139,24 @@ class Matcher::Impl {
     return report;
   }
 
-  const CostRows& StartCosts(const VolumeShape& shape, ThreadPool* pool) {
+  // Beside the planes of a prior; sets `costs`.
+  SideWork PrepareCosts(const VolumeShape& shape, const CostRows** costs) {
+    return {[this, &shape, costs] { *costs = &StartCosts(shape); },
+            {[this] { costs_.PrepareLeft(&left_alone_); },
+             [this] { costs_.PrepareRight(&right_alone_); }},
+            [this, costs](const std::function<bool()>& have_planes) {
+              if (*costs == &kept_costs_) {
+                kept_costs_.ComputeAhead(have_planes);
+              } else {
+                costs_.ComputeAhead(have_planes);
+              }
+            }};
+  }
+
+  const CostRows& StartCosts(const VolumeShape& shape) {
     const CostRows& costs =
         costs_.Start(options_.cost, images_.left_gray(), images_.right_gray(), shape,
-                     coarse_.FitRadiometry(options_.cost.kind), PathUnit(options_, false), pool);
+                     coarse_.FitRadiometry(options_.cost.kind), PathUnit(options_, false));
     if (!KeepsCosts(options_, shape)) return costs;
     kept_costs_.Start(costs);
     return kept_costs_;
@@ -153,8 +164,9 @@ class Matcher::Impl {
 
   Options options_;
   std::unique_ptr<ThreadPool> pool_;
-  ThreadPool one_thread_{1};  // for what one thread of the other does alone
-  std::size_t held_ = 0;      // bytes of the buffers of the last frame
+  ThreadPool left_alone_{1};  // for what one thread of the other does alone with an image
+  ThreadPool right_alone_{1};
+  std::size_t held_ = 0;  // bytes of the buffers of the last frame
   ImagePair images_;
   RigAlignment alignment_;
   cv::Mat warped_;

@@ -85,7 +85,7 @@ void CheckInputs(Variant variant, const MatchInputs& inputs, cv::Size size) {
 
 PathPrior PriorStage::Make(const PriorOptions& options, const MatchInputs& inputs,
                            const ImagePair& images, const CoarsePass& coarse,
-                           const VolumeShape& shape, ThreadPool* pool, const SideWork& beside,
+                           const VolumeShape& shape, ThreadPool* pool, const SideWork* beside,
                            PlanePriors* report) {
   report->variant = options.variant;
   report->note.clear();
@@ -116,7 +116,7 @@ PathPrior PriorStage::Make(const PriorOptions& options, const MatchInputs& input
 
 PathPrior PriorStage::FromPlanes(const PriorOptions& options, const CoarseDisparity& coarse,
                                  const cv::Mat& coarse_left, const VolumeShape& shape,
-                                 ThreadPool* pool, const SideWork& beside, PlanePriors* report) {
+                                 ThreadPool* pool, const SideWork* beside, PlanePriors* report) {
   const OrientationPrior* prior =
       estimated_.Estimate(options, coarse, coarse_left, shape, pool, beside);
   report->planes = estimated_.report().planes;
@@ -132,7 +132,7 @@ PathPrior PriorStage::FromSurface(const cv::Mat& surface, const VolumeShape& sha
 // The planes of a given surface are found and spread as those of a coarse disparity map (EPi).
 PathPrior PriorStage::FromPlanesOfSurface(PriorOptions options, const cv::Mat& surface,
                                           const CoarsePass& coarse, const VolumeShape& shape,
-                                          ThreadPool* pool, const SideWork& beside,
+                                          ThreadPool* pool, const SideWork* beside,
                                           PlanePriors* report) {
   ShrinkSurface(surface, coarse.image().size(), &coarse_surface_, &known_);
   options.variant = Variant::kEpi;
@@ -144,7 +144,7 @@ PathPrior PriorStage::FromPlanesOfSurface(PriorOptions options, const cv::Mat& s
 PathPrior PriorStage::FromManhattanWorld(const PriorOptions& options, const StereoCamera& camera,
                                          const ImagePair& images, const CoarsePass& coarse,
                                          const VolumeShape& shape, ThreadPool* pool,
-                                         const SideWork& beside, PlanePriors* report) {
+                                         const SideWork* beside, PlanePriors* report) {
   const CoarseDisparity disparity{coarse.disparity(), coarse.confident()};
   const OrientationPrior* prior = manhattan_.Estimate(options, disparity, images.left_color(),
                                                       coarse.image(), camera, shape, pool);

@@ -30,22 +30,22 @@ class PriorStage {
   // Without priors where there is nothing to follow; they are valid until the next call. `report`
   // says what was found. `inputs` must have passed CheckInputs. `beside` is done as
   // EstimatedPrior::Estimate does it by those variants that have estimated planes, and by others
-  // not; it may be empty.
+  // not; it may be null.
   PathPrior Make(const PriorOptions& options, const MatchInputs& inputs, const ImagePair& images,
                  const CoarsePass& coarse, const VolumeShape& shape, ThreadPool* pool,
-                 const SideWork& beside, PlanePriors* report);
+                 const SideWork* beside, PlanePriors* report);
 
  private:
   PathPrior FromPlanes(const PriorOptions& options, const CoarseDisparity& coarse,
                        const cv::Mat& coarse_left, const VolumeShape& shape, ThreadPool* pool,
-                       const SideWork& beside, PlanePriors* report);
+                       const SideWork* beside, PlanePriors* report);
   PathPrior FromSurface(const cv::Mat& surface, const VolumeShape& shape);
   PathPrior FromPlanesOfSurface(PriorOptions options, const cv::Mat& surface,
                                 const CoarsePass& coarse, const VolumeShape& shape,
-                                ThreadPool* pool, const SideWork& beside, PlanePriors* report);
+                                ThreadPool* pool, const SideWork* beside, PlanePriors* report);
   PathPrior FromManhattanWorld(const PriorOptions& options, const StereoCamera& camera,
                                const ImagePair& images, const CoarsePass& coarse,
-                               const VolumeShape& shape, ThreadPool* pool, const SideWork& beside,
+                               const VolumeShape& shape, ThreadPool* pool, const SideWork* beside,
                                PlanePriors* report);
 
   EstimatedPrior estimated_;

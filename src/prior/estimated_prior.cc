@@ -3,6 +3,8 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "prior/nearest_planes.h"
@@ -24,23 +26,31 @@ void SetsOfLabels(const cv::Mat& labels, std::size_t planes, PlaneSets* sets) {
   labels.convertTo(sets->ids, CV_16U, 1.0, 1.0);
 }
 
-// None where there is nothing to do beside.
-ThreadPool::Job SideJob(const SideWork& beside, const std::atomic<bool>& have_planes) {
-  if (!beside) return {};
-  return {[&] { beside([&] { return have_planes.load(); }); }, {}};
-}
+// Jobs of one call, in which those that the planes wait for come first.
+class Jobs {
+ public:
+  std::size_t Add(std::function<void()> work, std::vector<std::size_t> after = {}) {
+    jobs_.push_back({std::move(work), std::move(after)});
+    return jobs_.size() - 1;
+  }
 
-// Those that are not empty; in their order where there are no threads.
-void RunJobs(std::vector<ThreadPool::Job> jobs, ThreadPool* threads) {
-  for (ThreadPool::Job& job : jobs) {
-    if (!job.work) job.work = [] {};
+  void Add(const SideWork& beside, const std::atomic<bool>& have_planes) {
+    const std::size_t first = Add(beside.first);
+    std::vector<std::size_t> parts;
+    for (const std::function<void()>& part : beside.parts) parts.push_back(Add(part, {first}));
+    Add([&beside, &have_planes] { beside.last([&] { return have_planes.load(); }); },
+        std::move(parts));
   }
-  if (threads != nullptr) {
-    threads->RunJobs(jobs);
-  } else {
-    for (const ThreadPool::Job& job : jobs) job.work();
+
+  // In their order where there are no threads.
+  void Run(ThreadPool* threads) const {
+    if (threads != nullptr) return threads->RunJobs(jobs_);
+    for (const ThreadPool::Job& job : jobs_) job.work();
   }
-}
+
+ private:
+  std::vector<ThreadPool::Job> jobs_;
+};
 
 }  // namespace
 
@@ -48,7 +58,7 @@ const OrientationPrior* EstimatedPrior::Estimate(const PriorOptions& options,
                                                  const CoarseDisparity& coarse,
                                                  const cv::Mat& coarse_left,
                                                  const VolumeShape& full, ThreadPool* threads,
-                                                 const SideWork& beside) {
+                                                 const SideWork* beside) {
   report_.planes.clear();
   if (options.variant == Variant::kSgm) {
     report_.labels.release();
@@ -80,25 +90,20 @@ const PlaneSets& EstimatedPrior::SpreadOverSuperpixels(const PriorOptions& optio
                                                        const CoarseDisparity& coarse,
                                                        const cv::Mat& coarse_left,
                                                        ThreadPool* threads,
-                                                       const SideWork& beside) {
-  constexpr std::size_t kFind = 0;
-  constexpr std::size_t kSegment = 1;
+                                                       const SideWork* beside) {
   std::atomic<bool> have_planes{false};
-  std::vector<ThreadPool::Job> jobs = {
-      {[&] { FindPlanes(options, coarse, &have_planes); }, {}},
-      {[&] { superpixels_.Segment(coarse_left, options.superpixel_size, kCompactness, nullptr); },
-       {}},
-      SideJob(beside, have_planes),
-      {[&] { modal_.Assign(hypotheses_.map(), superpixels_, options.min_support); },
-       {kFind, kSegment}}};
+  Jobs jobs;
+  const std::size_t find = jobs.Add([&] { FindPlanes(options, coarse, &have_planes); });
+  const std::size_t segment = jobs.Add(
+      [&] { superpixels_.Segment(coarse_left, options.superpixel_size, kCompactness, nullptr); });
+  if (beside != nullptr) jobs.Add(*beside, have_planes);
+  jobs.Add([&] { modal_.Assign(hypotheses_.map(), superpixels_, options.min_support); },
+           {find, segment});
   if (options.spread) {
-    jobs.push_back({[&] {
-                      SpreadLabels(coarse_left);
-                      spread_modal_.Assign(spread_, superpixels_, 0.0);
-                    },
-                    {kFind, kSegment}});
+    const std::size_t spread = jobs.Add([&] { SpreadLabels(coarse_left); }, {find});
+    jobs.Add([&] { spread_modal_.Assign(spread_, superpixels_, 0.0); }, {segment, spread});
   }
-  RunJobs(jobs, threads);
+  jobs.Run(threads);
   modal_.labels().copyTo(report_.labels);
   if (options.spread) {
     cv::compare(report_.labels, 0, unlabelled_, cv::CMP_LT);
@@ -111,14 +116,14 @@ const PlaneSets& EstimatedPrior::SpreadOverSuperpixels(const PriorOptions& optio
 const PlaneSets& EstimatedPrior::SpreadOverHulls(const PriorOptions& options,
                                                  const CoarseDisparity& coarse,
                                                  const cv::Mat& coarse_left, ThreadPool* threads,
-                                                 const SideWork& beside) {
-  constexpr std::size_t kFind = 0;
+                                                 const SideWork* beside) {
   std::atomic<bool> have_planes{false};
-  std::vector<ThreadPool::Job> jobs = {{[&] { FindPlanes(options, coarse, &have_planes); }, {}},
-                                       SideJob(beside, have_planes),
-                                       {[&] { hulls_.Build(hypotheses_.map()); }, {kFind}}};
-  if (options.spread) jobs.push_back({[&] { SpreadLabels(coarse_left); }, {kFind}});
-  RunJobs(jobs, threads);
+  Jobs jobs;
+  const std::size_t find = jobs.Add([&] { FindPlanes(options, coarse, &have_planes); });
+  if (beside != nullptr) jobs.Add(*beside, have_planes);
+  jobs.Add([&] { hulls_.Build(hypotheses_.map()); }, {find});
+  if (options.spread) jobs.Add([&] { SpreadLabels(coarse_left); }, {find});
+  jobs.Run(threads);
   if (options.spread) hulls_.FillEmpty(spread_.labels);
   coarse_planes_.clear();
   for (const CoarsePlane& plane : hypotheses_.map().planes) coarse_planes_.push_back(plane.plane);

@@ -23,9 +23,14 @@
 
 namespace stereo_sgmp {
 
-// What is done on another thread while planes grow. It may go on with what can wait until the
-// function that it is given says that the planes have been found.
-using SideWork = std::function<void(const std::function<bool()>& have_planes)>;
+// What is done on other threads while planes grow: `first`, then the `parts`, which may be done at
+// the same time, then `last`, which may go on with what can wait until the function that it is
+// given says that the planes have been found.
+struct SideWork {
+  std::function<void()> first;
+  std::vector<std::function<void()>> parts;
+  std::function<void(const std::function<bool()>& have_planes)> last;
+};
 
 // The chain from coarse disparities to a prior at full resolution. Keeps its buffers from frame
 // to frame.
@@ -34,8 +39,8 @@ class EstimatedPrior {
   // Finds planes in `coarse` and spreads them as options.variant says. `coarse_left` is the left
   // image at the size of the coarse maps (CV_8U, 1, 3 or 4 channels; kEpi and PriorOptions::spread
   // use it), `full` the volume the prior is for. `threads` may be null. Planes grow on one thread:
-  // `beside`, which must not use `threads`, is done once on another (unless the variant is kSgm),
-  // and is over on return. It may be empty; with one thread or none it is told at once that the
+  // `beside`, which must not use `threads`, is done once on others (unless the variant is kSgm),
+  // and is over on return. It may be null; with one thread or none it is told at once that the
   // planes have been found.
   //
   // Returns the prior, which is this object's and holds until the next call, or null where there
@@ -43,7 +48,7 @@ class EstimatedPrior {
   // Throws std::invalid_argument where sizes or types don't fit.
   const OrientationPrior* Estimate(const PriorOptions& options, const CoarseDisparity& coarse,
                                    const cv::Mat& coarse_left, const VolumeShape& full,
-                                   ThreadPool* threads, const SideWork& beside = nullptr);
+                                   ThreadPool* threads, const SideWork* beside = nullptr);
 
   // The same prior without attraction, for the second round of PathScheme::kFourTwice.
   const OrientationPrior* parallel() const { return steering_.parallel(); }
@@ -55,10 +60,10 @@ class EstimatedPrior {
   // Both find the planes.
   const PlaneSets& SpreadOverSuperpixels(const PriorOptions& options, const CoarseDisparity& coarse,
                                          const cv::Mat& coarse_left, ThreadPool* threads,
-                                         const SideWork& beside);
+                                         const SideWork* beside);
   const PlaneSets& SpreadOverHulls(const PriorOptions& options, const CoarseDisparity& coarse,
                                    const cv::Mat& coarse_left, ThreadPool* threads,
-                                   const SideWork& beside);
+                                   const SideWork* beside);
   void FindPlanes(const PriorOptions& options, const CoarseDisparity& coarse,
                   std::atomic<bool>* have_planes);
   void SpreadLabels(const cv::Mat& coarse_left);

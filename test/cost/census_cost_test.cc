@@ -7,6 +7,14 @@
 namespace stereo_sgmp {
 namespace {
 
+void Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape,
+             CensusWindow window, int unit, CensusCost* cost) {
+  ThreadPool pool(2);
+  cost->Start(shape, window, unit);
+  cost->PrepareRight(right, &pool);
+  cost->PrepareLeft(left, &pool);
+}
+
 struct Window {
   CensusWindow window;
   int radius_x;
@@ -27,13 +35,12 @@ ReferenceCost Reference(const Window& window, const cv::Mat& left, const cv::Mat
 
 TEST_P(CensusCostTest, EqualsScalarReferenceOnAllTargets) {
   const Window& window = GetParam();
-  ThreadPool pool(2);
   CensusCost cost;
   for (const VolumeShape& shape : AwkwardShapes()) {
     const cv::Mat left = RandomGray(shape.width, shape.height, 1);
     const cv::Mat right = RandomGray(shape.width, shape.height, 2);
     ForEachTarget([&] {
-      cost.Prepare(left, right, shape, window.window, 1, &pool);
+      Prepare(left, right, shape, window.window, 1, &cost);
       ExpectCosts(cost, Reference(window, left, right));
     });
   }
@@ -44,11 +51,10 @@ TEST_P(CensusCostTest, CompactCostsAreTheFullOnesInUnits) {
   const VolumeShape shape{70, 9, 65, -4};
   const cv::Mat left = RandomGray(shape.width, shape.height, 3);
   const cv::Mat right = RandomGray(shape.width, shape.height, 4);
-  ThreadPool pool(2);
   CensusCost cost;
   for (int unit = 2; unit <= 16; ++unit) {
     ForEachTarget([&] {
-      cost.Prepare(left, right, shape, window.window, unit, &pool);
+      Prepare(left, right, shape, window.window, unit, &cost);
       EXPECT_EQ(cost.unit(), unit);
       ExpectCosts(cost, InUnits(Reference(window, left, right), unit));
     });
@@ -63,9 +69,8 @@ TEST(CensusCostTest, BearsAnyRisingMapOfTheGrayLevels) {
   const VolumeShape shape{50, 20, 16, 0};
   cv::Mat left = RandomGray(shape.width, shape.height, 3) / 2;
   const cv::Mat brighter = left * 2 + 1;
-  ThreadPool pool(1);
   CensusCost cost;
-  cost.Prepare(left, brighter, shape, CensusWindow::k9x7, 1, &pool);
+  Prepare(left, brighter, shape, CensusWindow::k9x7, 1, &cost);
   AlignedBuffer<std::uint8_t> scratch;
   scratch.Resize(static_cast<std::size_t>(shape.width * shape.Stride()));
   const std::uint8_t* row = cost.Row(9, 0, shape.width, scratch.data());

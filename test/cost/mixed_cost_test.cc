@@ -11,6 +11,14 @@
 namespace stereo_sgmp {
 namespace {
 
+void Prepare(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape,
+             const RadiometricFit& fit, int unit, MixedCost* cost) {
+  ThreadPool pool(2);
+  cost->Start(shape, fit, unit);
+  cost->PrepareRight(right, &pool);
+  cost->PrepareLeft(left, &pool);
+}
+
 int Weighted(double gray, double weight) {
   return cv::saturate_cast<std::uint8_t>(weight * std::clamp(gray, 0.0, 255.0));
 }
@@ -48,13 +56,12 @@ INSTANTIATE_TEST_SUITE_P(Units, MixedCostTest, testing::Values(1, 7));
 
 TEST_P(MixedCostTest, EqualsScalarReferenceOnAllTargets) {
   const int unit = GetParam();
-  ThreadPool pool(2);
   MixedCost cost;
   for (const VolumeShape& shape : AwkwardShapes()) {
     const cv::Mat left = RandomGray(shape.width, shape.height, 1);
     const cv::Mat right = RandomGray(shape.width, shape.height, 2);
     ForEachTarget([&] {
-      cost.Prepare(left, right, shape, RadiometricFit(), unit, &pool);
+      Prepare(left, right, shape, RadiometricFit(), unit, &cost);
       EXPECT_EQ(cost.unit(), unit);
       ExpectCosts(cost, Reference(left, right, RadiometricFit(), unit));
     });
@@ -68,10 +75,9 @@ TEST_P(MixedCostTest, SmoothImagesReachTheLowCosts) {
   cv::GaussianBlur(left, left, cv::Size(), 4.0);
   cv::Mat right = RandomGray(shape.width, shape.height, 4);
   cv::GaussianBlur(right, right, cv::Size(), 4.0);
-  ThreadPool pool(1);
   MixedCost cost;
   ForEachTarget([&] {
-    cost.Prepare(left, right, shape, RadiometricFit(), unit, &pool);
+    Prepare(left, right, shape, RadiometricFit(), unit, &cost);
     ExpectCosts(cost, Reference(left, right, RadiometricFit(), unit));
   });
 }
@@ -80,11 +86,10 @@ TEST_P(MixedCostTest, AppliesGainOffsetAndWeightToTheAbsoluteDifference) {
   const VolumeShape shape{70, 9, 33, 0};
   const cv::Mat left = RandomGray(shape.width, shape.height, 5);
   const cv::Mat right = RandomGray(shape.width, shape.height, 6);
-  ThreadPool pool(2);
   MixedCost cost;
   for (const RadiometricFit& fit :
        {RadiometricFit{1.3, -20.0, 1.0}, RadiometricFit{0.7, 12.5, 0.4}, {1.0, 0.0, 0.0}}) {
-    cost.Prepare(left, right, shape, fit, GetParam(), &pool);
+    Prepare(left, right, shape, fit, GetParam(), &cost);
     ExpectCosts(cost, Reference(left, right, fit, GetParam()));
   }
 }
@@ -92,9 +97,8 @@ TEST_P(MixedCostTest, AppliesGainOffsetAndWeightToTheAbsoluteDifference) {
 TEST_P(MixedCostTest, SamePixelCostsNothing) {
   const VolumeShape shape{40, 8, 16, 0};
   const cv::Mat image = RandomGray(shape.width, shape.height, 7);
-  ThreadPool pool(1);
   MixedCost cost;
-  cost.Prepare(image, image, shape, RadiometricFit(), GetParam(), &pool);
+  Prepare(image, image, shape, RadiometricFit(), GetParam(), &cost);
   AlignedBuffer<std::uint8_t> scratch;
   scratch.Resize(static_cast<std::size_t>(shape.width * shape.Stride()));
   const std::uint8_t* row = cost.Row(3, 0, shape.width, scratch.data());

@@ -10,6 +10,15 @@
 namespace stereo_sgmp {
 namespace {
 
+void Compute(const cv::Mat& left, const cv::Mat& right, const VolumeShape& shape, double epsilon,
+             bool vertical_tolerance, int unit, NccCost* cost) {
+  ThreadPool pool(2);
+  cost->Start(shape, epsilon, vertical_tolerance, unit);
+  cost->PrepareRight(right, &pool);
+  cost->PrepareLeft(left, &pool);
+  cost->Complete(&pool);
+}
+
 // 25 times covariance and deviations of the 5x5 patches, with exact sums.
 struct PatchSums {
   int l = 0, r = 0, ll = 0, rr = 0, lr = 0;
@@ -54,29 +63,25 @@ ReferenceCost Reference(const cv::Mat& left, const cv::Mat& right, float epsilon
 }
 
 TEST(NccCostTest, EqualsScalarReferenceOnAllTargets) {
-  ThreadPool pool(2);
   NccCost cost;
   for (const VolumeShape& shape : AwkwardShapes()) {
     const cv::Mat left = RandomGray(shape.width, shape.height, 1);
     const cv::Mat right = RandomGray(shape.width, shape.height, 2);
     ForEachTarget([&] {
-      cost.Start(left, right, shape, 1.0, false, 1, &pool);
-      cost.Complete(&pool);
+      Compute(left, right, shape, 1.0, false, 1, &cost);
       ExpectCosts(cost, Reference(left, right, 1.0F, 0));
     });
   }
 }
 
 TEST(NccCostTest, VerticalToleranceTakesTheMinimumOfThreeRows) {
-  ThreadPool pool(2);
   NccCost cost;
   for (const VolumeShape& shape : {VolumeShape{1, 1, 4, -1}, VolumeShape{33, 2, 20, 0},
                                    VolumeShape{70, 9, 65, -4}, VolumeShape{65, 4, 300, -9}}) {
     const cv::Mat left = RandomGray(shape.width, shape.height, 3);
     const cv::Mat right = RandomGray(shape.width, shape.height, 4);
     ForEachTarget([&] {
-      cost.Start(left, right, shape, 1.0, true, 1, &pool);
-      cost.Complete(&pool);
+      Compute(left, right, shape, 1.0, true, 1, &cost);
       ExpectCosts(cost, Reference(left, right, 1.0F, 1));
     });
   }
@@ -86,12 +91,10 @@ TEST(NccCostTest, CompactCostsAreTheFullOnesInUnits) {
   const VolumeShape shape{70, 5, 65, -4};
   const cv::Mat left = RandomGray(shape.width, shape.height, 3);
   const cv::Mat right = RandomGray(shape.width, shape.height, 4);
-  ThreadPool pool(2);
   NccCost cost;
   for (int unit = 2; unit <= 16; ++unit) {
     ForEachTarget([&] {
-      cost.Start(left, right, shape, 1.0, true, unit, &pool);
-      cost.Complete(&pool);
+      Compute(left, right, shape, 1.0, true, unit, &cost);
       EXPECT_EQ(cost.unit(), unit);
       ExpectCosts(cost, InUnits(Reference(left, right, 1.0F, 1), unit));
     });
@@ -102,20 +105,16 @@ TEST(NccCostTest, EpsilonIsAddedToTheDenominator) {
   const VolumeShape shape{60, 8, 30, 0};
   const cv::Mat left = RandomGray(shape.width, shape.height, 5) / 8;
   const cv::Mat right = RandomGray(shape.width, shape.height, 6) / 8;
-  ThreadPool pool(1);
   NccCost cost;
-  cost.Start(left, right, shape, 50.0, false, 1, &pool);
-  cost.Complete(&pool);
+  Compute(left, right, shape, 50.0, false, 1, &cost);
   ExpectCosts(cost, Reference(left, right, 50.0F, 0));
 }
 
 // Cost of a pixel in the middle of `left` matched with the same place in `right`.
 int CostOfSamePlace(const cv::Mat& left, const cv::Mat& right, double epsilon) {
   const VolumeShape shape{left.cols, left.rows, 1, 0};
-  ThreadPool pool(1);
   NccCost cost;
-  cost.Start(left, right, shape, epsilon, false, 1, &pool);
-  cost.Complete(&pool);
+  Compute(left, right, shape, epsilon, false, 1, &cost);
   return cost.Row(left.rows / 2, left.cols / 2, left.cols / 2 + 1, nullptr)[0];
 }
 

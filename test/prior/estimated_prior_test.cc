@@ -1,5 +1,7 @@
 #include "prior/estimated_prior.h"
 
+#include <array>
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -129,14 +131,19 @@ TEST_P(EstimatedPriorOf, WhatGoesOnBesideIsToldWhenThePlanesAreFound) {
     std::unique_ptr<ThreadPool> pool;
     if (threads > 0) pool = std::make_unique<ThreadPool>(threads);
     EstimatedPrior estimated;
-    int calls = 0;
+    std::atomic<int> first{0};
+    std::array<std::atomic<int>, 2> parts{};
+    std::atomic<int> last{0};
     bool was_told = false;
+    const SideWork beside{[&] { ++first; },
+                          {[&] { parts[0] += first; }, [&] { parts[1] += first; }},
+                          [&](const std::function<bool()>& have_planes) {
+                            last += parts[0] * parts[1];
+                            was_told = WaitForPlanes(have_planes);
+                          }};
     estimated.Estimate(OptionsOf(GetParam()), inputs.Coarse(), inputs.image, FullShape(),
-                       pool.get(), [&](const std::function<bool()>& have_planes) {
-                         ++calls;
-                         was_told = WaitForPlanes(have_planes);
-                       });
-    EXPECT_EQ(calls, 1);
+                       pool.get(), &beside);
+    EXPECT_EQ(last, 1) << "each once, in their order";
     EXPECT_TRUE(was_told);
     EXPECT_EQ(estimated.report().planes.size(), 2U);
   }
