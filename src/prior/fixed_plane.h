@@ -39,6 +39,11 @@ class FixedPlane {
   // Whether S^ is the same at all pixels, so that no step has a jump.
   bool IsConstant() const { return a_ == 0 && b_ == 0; }
 
+  bool IsParallelTo(const FixedPlane& plane) const { return a_ == plane.a_ && b_ == plane.b_; }
+
+  // By how much a parallel plane is larger, in units of 2^-32.
+  std::int64_t HeightOver(const FixedPlane& plane) const { return c_ - plane.c_; }
+
   // Along row y, from x on.
   PlaneRun RunFrom(int x, int y) const {
     const std::int64_t first = FixedAt(x, y);

@@ -23,6 +23,27 @@ struct JumpSegment {
   int jump = 0;
 };
 
+// A number for each pixel of a stretch, with room around them for vectors that begin a few pixels
+// before the first or up to a few pixels behind the last.
+class JumpEntries {
+ public:
+  static constexpr std::size_t kVector = 16;
+  static constexpr std::size_t kMargin = 2 * kVector;
+
+  // The numbers are unspecified.
+  void Resize(std::size_t count) { padded_.resize(count + 2 * kMargin); }
+  void Fill(std::int16_t number) { std::fill(padded_.begin(), padded_.end(), number); }
+
+  std::size_t size() const { return padded_.size() - 2 * kMargin; }
+  std::int16_t* data() { return padded_.data() + kMargin; }
+  const std::int16_t* data() const { return padded_.data() + kMargin; }
+  std::int16_t& operator[](std::size_t i) { return data()[i]; }
+  std::int16_t operator[](std::size_t i) const { return data()[i]; }
+
+ private:
+  std::vector<std::int16_t> padded_ = std::vector<std::int16_t>(2 * kMargin);
+};
+
 // Jumps for the steps that end at the pixels q of a stretch of one row.
 struct JumpRow {
   static constexpr std::int16_t kVaries = INT16_MIN;
@@ -30,9 +51,9 @@ struct JumpRow {
 
   // Per pixel, and of all but `jump` perhaps more: the jump of the disparity indices [begin, end),
   // while all others stay; or kVaries where there are several jumps.
-  std::vector<std::int16_t> jump;
-  std::vector<std::int16_t> begin;
-  std::vector<std::int16_t> end;
+  JumpEntries jump;
+  JumpEntries begin;
+  JumpEntries end;
   // Per pixel with kVaries: its segments are segments[first_segment[i] ... + segment_count[i]),
   // in rising order, covering all disparity indices without gap or overlap.
   std::vector<std::int32_t> first_segment;
@@ -41,10 +62,11 @@ struct JumpRow {
 
   // `count` pixels without a jump; the rest of them is unspecified.
   void Reset(std::size_t count) {
-    jump.assign(count, 0);
+    jump.Resize(count);
+    jump.Fill(0);
     if (begin.size() < count) {
-      begin.resize(count);
-      end.resize(count);
+      begin.Resize(count);
+      end.Resize(count);
       first_segment.resize(count);
       segment_count.resize(count);
     }
@@ -53,8 +75,8 @@ struct JumpRow {
 
   // Makes all jumps those of all disparities.
   void MoveAll() {
-    std::fill(begin.begin(), begin.end(), std::int16_t{0});
-    std::fill(end.begin(), end.end(), kNoEnd);
+    begin.Fill(0);
+    end.Fill(kNoEnd);
   }
 };
 

@@ -9,38 +9,15 @@
 #include <cstddef>
 
 #include "prior/plane_sets.h"
+#include "prior/plane_vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace stereo_sgmp {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Unsigned = hn::ScalableTag<std::uint32_t>;
-using Signed = hn::RebindToSigned<Unsigned>;
-using VU = hn::Vec<Unsigned>;
-using VS = hn::Vec<Signed>;
-
 // Beyond the rounded disparity of any plane; sums of two such numbers still fit.
 inline constexpr std::int32_t kFar = 1 << 30;
-
-// The fraction of S + 1/2 after `steps` pixels.
-HWY_INLINE VU FractionsAt(const PlaneRun& plane, VU steps) {
-  const Unsigned d;
-  return hn::Add(hn::Set(d, plane.fraction), hn::Mul(steps, hn::Set(d, plane.slope)));
-}
-
-template <class Mask>
-HWY_INLINE std::uint64_t BitsOf(Mask mask) {
-#if HWY_TARGET <= HWY_AVX3
-  return mask.raw;  // has the bits as they are; storing them takes them apart
-#else
-  std::uint8_t bits[8] = {};
-  const std::size_t bytes = hn::StoreMaskBits(Unsigned(), mask, bits);
-  std::uint64_t all = 0;
-  for (std::size_t b = 0; b < bytes; ++b) all |= std::uint64_t{bits[b]} << (8 * b);
-  return all;
-#endif
-}
 
 // Bit by bit, at which of `count` pixels the fraction carries on each of some steps to q.
 template <int kSteps>
@@ -54,26 +31,10 @@ HWY_INLINE void FindCarries(const PlaneRun& plane, const PlaneStep* const (&step
   for (int i = 0; i < count; i += lanes) {
     for (int s = 0; s < kSteps; ++s) {
       const VU at_q = hn::Add(at_p, hn::Set(d, steps[s]->fraction));
-      carries[s] |= BitsOf(hn::Lt(at_q, at_p)) << i;
+      carries[s] |= BitsOf(d, hn::Lt(at_q, at_p)) << i;
     }
     at_p = hn::Add(at_p, stride);
   }
-}
-
-// S^ after `steps` pixels, fewer than 2^16.
-HWY_INLINE VS ValuesAt(const PlaneRun& plane, VU steps) {
-  const Unsigned d;
-  const Signed ds;
-  // The whole part of steps * slope, whose halves of 16 bits are multiplied one by one.
-  const VU low = hn::ShiftRight<16>(hn::Mul(steps, hn::Set(d, plane.slope & 0xFFFFU)));
-  const VU high = hn::Mul(steps, hn::Set(d, plane.slope >> 16));
-  const VU product = hn::ShiftRight<16>(hn::Add(high, low));
-  const VU whole =
-      hn::Add(hn::Set(d, static_cast<std::uint32_t>(plane.whole)),
-              hn::Mul(steps, hn::Set(d, static_cast<std::uint32_t>(plane.slope_whole))));
-  const auto carries = hn::Lt(FractionsAt(plane, steps), hn::Set(d, plane.fraction));
-  const VU carry = hn::IfThenElse(carries, hn::Set(d, 1U), hn::Zero(d));
-  return hn::BitCast(ds, hn::Add(hn::Add(whole, product), carry));
 }
 
 // The first disparity that is nearer to `above` than to `below`, within the range.

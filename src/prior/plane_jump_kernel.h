@@ -23,10 +23,12 @@ struct PlaneStep {
   std::int32_t jump;
   std::int32_t jump_with_carry;
 
+  // The jump from a pixel where S + 1/2 has this fraction.
+  int JumpFrom(std::uint32_t at_p) const { return at_p + fraction < at_p ? jump_with_carry : jump; }
+
   // The jump from the i-th pixel of the run.
   int JumpAt(const PlaneRun& run, int i) const {
-    const std::uint32_t at_p = run.fraction + static_cast<std::uint32_t>(i) * run.slope;
-    return at_p + fraction < at_p ? jump_with_carry : jump;
+    return JumpFrom(run.fraction + static_cast<std::uint32_t>(i) * run.slope);
   }
 };
 

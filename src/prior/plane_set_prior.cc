@@ -7,6 +7,7 @@
 
 #include <hwy/base.h>
 
+#include "prior/phased_plane_kernel.h"
 #include "prior/plane_columns.h"
 #include "prior/plane_jump_kernel.h"
 #include "prior/segment_writer.h"
@@ -69,20 +70,6 @@ void WriteMoves(const PlaneRuns& runs, const PlaneMoves& moves, int step, int en
   }
 }
 
-// The same for the pixels of `several`, at which `columns` are cut.
-void WriteSeveral(const PlaneRuns& runs, std::uint64_t several, int step, int entry,
-                  PlaneColumns* columns, JumpRow* row) {
-  for (; several != 0; several &= several - 1) {
-    const int i = FirstOf(several);
-    const SurfaceColumn& column = columns->At(i);
-    SegmentWriter writer(entry + i, runs.disparities, row);
-    for (int cell = 0; cell < column.cells(); ++cell) {
-      writer.WriteUpTo(column.CellEnd(cell), runs.JumpAt(step, column.surface(cell), i));
-    }
-    writer.Finish();
-  }
-}
-
 }  // namespace
 
 void PlaneSetPrior::Assign(const std::vector<DisparityPlane>& planes, const PlaneSets& sets,
@@ -118,7 +105,24 @@ void PlaneSetPrior::FindMoving() {
     for (std::uint8_t k = 0; k < set.count; ++k) {
       if (!PlaneOf(set, k).IsConstant()) moving_[i].places[moving_[i].count++] = k;
     }
+    FindPhases(set, &moving_[i]);
   }
+}
+
+void PlaneSetPrior::FindPhases(const PlaneSet& set, MovingPlanes* moving) const {
+  constexpr std::int64_t kMost = std::int64_t{1} << (FixedPlane::kFractionBits - 1);
+  moving->is_phased = set.count == 1;
+  if (set.count != PlaneSet::kPhases) return;
+  const FixedPlane& plane = PlaneOf(set, 0);
+  const FixedPlane& below = PlaneOf(set, 1);
+  const FixedPlane& above = PlaneOf(set, 2);
+  const std::int64_t down = plane.HeightOver(below);
+  const std::int64_t up = above.HeightOver(plane);
+  if (!below.IsParallelTo(plane) || !above.IsParallelTo(plane)) return;
+  if (down < 0 || down > kMost || up < 0 || up > kMost) return;
+  moving->is_phased = true;
+  moving->below = static_cast<std::uint32_t>(down);
+  moving->above = static_cast<std::uint32_t>(up);
 }
 
 void PlaneSetPrior::MapColumns() {
@@ -212,9 +216,49 @@ void PlaneSetPrior::FollowSurfaces(const Question& question) const {
   for (; run != last && run->begin < end; ++run) {
     const int run_end = std::min(end, run->end);
     for (int x = std::max(begin, run->begin); x < run_end; x += kMaxPlaneRun) {
-      FollowRun(question, run->set, x, std::min(kMaxPlaneRun, run_end - x));
+      FollowAnyRun(question, run->set, x, std::min(kMaxPlaneRun, run_end - x));
     }
   }
+}
+
+void PlaneSetPrior::FollowAnyRun(const Question& question, std::size_t set, int x_p,
+                                 int count) const {
+  moving_[set].is_phased ? FollowPhases(question, set, x_p, count)
+                         : FollowRun(question, set, x_p, count);
+}
+
+// A plane and its copies along `count` pixels p, followed to those q that are asked for.
+void PlaneSetPrior::FollowPhases(const Question& question, std::size_t set_id, int x_p,
+                                 int count) const {
+  const PlaneSet& set = sets_.sets[set_id];
+  const MovingPlanes& moving = moving_[set_id];
+  const int y_p = question.y - question.steps[0].dy;
+  std::array<PhasedPlaneMoves, kMaxPlaneSteps> moves;  // NOLINT(*-member-init): as far as read
+  for (int s = 0; s < question.step_count; ++s) {
+    const PathStep step = question.steps[s];
+    JumpRow& row = question.rows[s];
+    const int entry = x_p + step.dx - question.first_x;
+    moves[At(s)] = {steps_[SlotOf(step)][At(set.planes[0])],
+                    PixelsAsked(question, step, x_p, count),
+                    row.jump.data() + entry,
+                    row.begin.data() + entry,
+                    row.end.data() + entry,
+                    0};
+  }
+  const PlaneRun plane = PlaneOf(set, 0).RunFrom(x_p, y_p);
+  FollowPhasedPlane({plane, moving.below, moving.above, count, shape_.disparities},
+                    question.step_count, moves.data());
+  StepBits several{};
+  for (int s = 0; s < question.step_count; ++s) several[At(s)] = moves[At(s)].several;
+  WriteSeveral(question, set, x_p, several);
+}
+
+// From which of `count` pixels p a step is asked for, bit by bit.
+std::uint64_t PlaneSetPrior::PixelsAsked(const Question& question, PathStep step, int x_p,
+                                         int count) const {
+  const int shift = step.dx + x_p;
+  return BitsFrom(std::max(question.begin, 0) - shift, std::min(question.end, shape_.width) - shift,
+                  count);
 }
 
 // The planes of a set, not all of them constant, along `count` pixels p, followed to those q that
@@ -232,25 +276,42 @@ void PlaneSetPrior::FollowRun(const Question& question, std::size_t set_id, int 
   for (int k = 0; k < set.count; ++k) planes[At(k)] = PlaneOf(set, k).RunFrom(x_p, y_p);
   for (int s = 0; s < question.step_count; ++s) {
     const PathStep step = question.steps[s];
-    const int shift = step.dx + x_p;
     steps[At(s)] = steps_[SlotOf(step)].data();
-    pixels[At(s)] = BitsFrom(std::max(question.begin, 0) - shift,
-                             std::min(question.end, shape_.width) - shift, count);
+    pixels[At(s)] = PixelsAsked(question, step, x_p, count);
   }
   const PlaneRuns runs{
       planes.data(),      set.count,    moving.places.data(), moving.count,        count,
       shape_.disparities, steps.data(), set.planes.data(),    question.step_count, pixels.data()};
   FollowPlaneRuns(runs, &moves);
-  std::uint64_t several = 0;
   for (int s = 0; s < question.step_count; ++s) {
     WriteMoves(runs, moves, s, x_p + question.steps[s].dx - question.first_x, question.rows + s);
-    several |= moves.several[At(s)];
   }
-  if (several == 0) return;
+  WriteSeveral(question, set, x_p, moves.several);
+}
+
+// Writes what each step does at those pixels from x_p on at which several planes jump.
+void PlaneSetPrior::WriteSeveral(const Question& question, const PlaneSet& set, int x_p,
+                                 const StepBits& several) const {
+  if (std::all_of(several.begin(), several.begin() + question.step_count,
+                  [](std::uint64_t bits) { return bits == 0; })) {
+    return;
+  }
+  const int y_p = question.y - question.steps[0].dy;
   PlaneColumns columns(planes_, set, x_p, y_p);
   for (int s = 0; s < question.step_count; ++s) {
-    const int entry = x_p + question.steps[s].dx - question.first_x;
-    WriteSeveral(runs, moves.several[At(s)], s, entry, &columns, question.rows + s);
+    const PathStep step = question.steps[s];
+    const int entry = x_p + step.dx - question.first_x;
+    for (std::uint64_t bits = several[At(s)]; bits != 0; bits &= bits - 1) {
+      const int i = FirstOf(bits);
+      const SurfaceColumn& column = columns.At(i);
+      SegmentWriter writer(entry + i, shape_.disparities, question.rows + s);
+      for (int cell = 0; cell < column.cells(); ++cell) {
+        const std::size_t plane = At(set.planes[column.surface(cell)]);
+        const auto fraction = static_cast<std::uint32_t>(planes_[plane].FixedAt(x_p + i, y_p));
+        writer.WriteUpTo(column.CellEnd(cell), steps_[SlotOf(step)][plane].JumpFrom(fraction));
+      }
+      writer.Finish();
+    }
   }
 }
 
@@ -272,7 +333,7 @@ void PlaneSetPrior::FollowLabels(const Question& question) const {
     const PlaneSet& at_p = sets_.sets[set_p];
     const PlaneSet& at_q = sets_.sets[set_q];
     if (at_p.count == 1 && set_p == set_q) {
-      if (moving_[set_p].count > 0) FollowRun(part, set_p, x_p, part.end - part.begin);
+      if (moving_[set_p].count > 0) FollowAnyRun(part, set_p, x_p, part.end - part.begin);
     } else if (at_p.count > 0 && at_q.count > 0) {
       FollowNearest(part, at_p, at_q);
     }

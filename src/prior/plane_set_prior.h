@@ -9,6 +9,7 @@
 #include "cost/cost_rows.h"
 #include "prior/fixed_plane.h"
 #include "prior/orientation_prior.h"
+#include "prior/plane_jump_kernel.h"
 #include "prior/plane_sets.h"
 #include "stereo_sgmp/disparity_plane.h"
 #include "stereo_sgmp/options.h"
@@ -47,11 +48,17 @@ class PlaneSetPrior : public OrientationPrior {
     int first_x = 0;  // of the entries of the rows
   };
 
-  // Of the planes of a set, by their place in it, those that are not constant.
+  // Of the planes of a set, by their place in it, those that are not constant; and whether they are
+  // one with its copies, as PhasedPlaneRun has them.
   struct MovingPlanes {
     std::uint8_t count = 0;
     std::array<std::uint8_t, PlaneSet::kMaxPlanes> places{};
+    bool is_phased = false;
+    std::uint32_t below = 0;
+    std::uint32_t above = 0;
   };
+
+  using StepBits = std::array<std::uint64_t, kMaxPlaneSteps>;  // pixels of each step, as bits
 
   // Pixel columns with one set.
   struct Run {
@@ -61,6 +68,7 @@ class PlaneSetPrior : public OrientationPrior {
   };
 
   void FindMoving();
+  void FindPhases(const PlaneSet& set, MovingPlanes* moving) const;
   void MapColumns();
   void MapRows();
   void MapRuns();
@@ -71,7 +79,12 @@ class PlaneSetPrior : public OrientationPrior {
   void FollowSurfaces(const Question& question) const;
   void FollowLabels(const Question& question) const;
   void FollowNearest(const Question& question, const PlaneSet& at_p, const PlaneSet& at_q) const;
+  void FollowAnyRun(const Question& question, std::size_t set, int x_p, int count) const;
+  void FollowPhases(const Question& question, std::size_t set_id, int x_p, int count) const;
   void FollowRun(const Question& question, std::size_t set_id, int x_p, int count) const;
+  std::uint64_t PixelsAsked(const Question& question, PathStep step, int x_p, int count) const;
+  void WriteSeveral(const Question& question, const PlaneSet& set, int x_p,
+                    const StepBits& several) const;
 
   VolumeShape shape_;
   JumpPolicy policy_ = JumpPolicy::kSameSurface;

@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include "prior/unpack_jumps.h"
+
 namespace stereo_sgmp {
 namespace {
 
@@ -108,7 +110,7 @@ TEST_P(EstimatedPriorOf, SameForAnyThreads) {
   for (int y = 0; y < FullShape().height; y += 7) {
     a->Jumps(y, 0, 361, {1, 1}, &row_a);
     b->Jumps(y, 0, 361, {1, 1}, &row_b);
-    EXPECT_EQ(row_a.jump, row_b.jump);
+    EXPECT_EQ(Values(row_a.jump), Values(row_b.jump));
     ASSERT_EQ(row_a.segments.size(), row_b.segments.size());
     for (std::size_t i = 0; i < row_a.segments.size(); ++i) {
       EXPECT_EQ(row_a.segments[i].end, row_b.segments[i].end);

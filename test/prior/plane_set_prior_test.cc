@@ -211,6 +211,45 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{3, 2, 8, 0, {5, 4}, 3, 2}, Case{1, 1, 4, 0, {1, 1}, 2, 2},
                     Case{1, 9, 4, 0, {1, 3}, 2, 2}, Case{9, 1, 4, 0, {3, 1}, 2, 2}));
 
+// Each plane with a copy below and one above it, in the order in which they attract.
+Scene WithCopies(const Scene& scene, double below, double above) {
+  Scene copied = scene;
+  copied.planes.clear();
+  for (const DisparityPlane& plane : scene.planes) {
+    copied.planes.push_back(plane);
+    copied.planes.push_back({plane.a, plane.b, plane.c - below});
+    copied.planes.push_back({plane.a, plane.b, plane.c + above});
+  }
+  for (PlaneSet& set : copied.sets.sets) {
+    if (set.count == 0) continue;
+    const auto plane = static_cast<std::int16_t>(3 * set.planes[0]);
+    const auto next = [plane](int i) { return static_cast<std::int16_t>(plane + i); };
+    set = {3, {plane, next(1), next(2)}};
+  }
+  return copied;
+}
+
+// Half a disparity is the most that is followed as a plane with phases; slopes are from gentle ones
+// to some at which both cells jump, and planes leave the range at either end.
+TEST(PlaneSetPrior, PlanesWithCopiesEqualTheScan) {
+  const std::pair<double, double> distances[] = {
+      {0.25, 0.25}, {0.5, 0.5}, {0.375, 0.0}, {0.5, 0.75}};
+  for (const double slope : {0.05, 0.3, 4.0}) {
+    const Scene scene = RandomScene(Shape(50, 3, 7, -3), {9, 2}, 24, 1, slope, 3);
+    for (const auto& [below, above] : distances) {
+      SCOPED_TRACE(testing::Message() << slope << ", " << below << " below, " << above << " above");
+      const Scene copied = WithCopies(scene, below, above);
+      for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        SCOPED_TRACE(hwy::TargetName(target));
+        hwy::SetSupportedTargetsForTest(target);
+        ExpectEqualsScan(copied, JumpPolicy::kSameSurface, 37);
+        ExpectTogetherAsAlone(copied, JumpPolicy::kSameSurface, 48);
+      }
+    }
+  }
+  hwy::SetSupportedTargetsForTest(0);
+}
+
 Scene OnePlane(const DisparityPlane& plane) {
   Scene scene;
   scene.shape = Shape(130, 6, 64, 0);
@@ -226,7 +265,7 @@ std::vector<std::int16_t> JumpsOf(const Scene& scene, int y, PathStep step) {
   prior.Assign(scene.planes, scene.sets, scene.shape, JumpPolicy::kSameSurface);
   JumpRow row;
   prior.Jumps(y, 0, scene.shape.width, step, &row);
-  return row.jump;
+  return Values(row.jump);
 }
 
 TEST(PlaneSetPrior, SurfaceOfTwoEqualPlanesIsThatOfOne) {
@@ -260,11 +299,12 @@ TEST(PlaneSetPrior, PoliciesDifferAtLabelBorderOnly) {
   JumpRow row;
   prior.Assign(scene.planes, scene.sets, scene.shape, JumpPolicy::kSameSurface);
   prior.Jumps(0, 0, 130, {1, 0}, &row);
-  EXPECT_EQ(row.jump, std::vector<std::int16_t>(130, 0));
+  EXPECT_EQ(Values(row.jump), std::vector<std::int16_t>(130, 0));
   prior.Assign(scene.planes, scene.sets, scene.shape, JumpPolicy::kLiteral);
   prior.Jumps(0, 0, 130, {1, 0}, &row);
-  EXPECT_EQ(std::count(row.jump.begin(), row.jump.end(), 20), 1);
-  EXPECT_EQ(std::count(row.jump.begin(), row.jump.end(), 0), 129);
+  const std::vector<std::int16_t> jumps = Values(row.jump);
+  EXPECT_EQ(std::count(jumps.begin(), jumps.end(), 20), 1);
+  EXPECT_EQ(std::count(jumps.begin(), jumps.end(), 0), 129);
 }
 
 TEST(PlaneSetPrior, LimitsSteepJumps) {

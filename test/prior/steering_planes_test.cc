@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "prior/unpack_jumps.h"
+
 namespace stereo_sgmp {
 namespace {
 
@@ -125,7 +127,7 @@ TEST(SteeringPlanes, FlatPlanesGiveNoJumps) {
     steering.Assign(OptionsOf(0.0, min_slope), flat, OneSet(1), Shape());
     steering.attracting()->Jumps(3, 0, kWidth, kRight, &row);
     int climbed = 0;
-    for (const std::int16_t jump : row.jump) climbed += jump;
+    for (std::size_t i = 0; i < row.jump.size(); ++i) climbed += row.jump[i];
     EXPECT_EQ(climbed, min_slope > 0.036 ? 0 : 5) << min_slope;
   }
 }

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "prior/unpack_jumps.h"
+
 namespace stereo_sgmp {
 namespace {
 
@@ -25,7 +27,7 @@ std::vector<std::int16_t> JumpsOf(const cv::Mat& surface, int y, PathStep step) 
   JumpRow row;
   prior.Jumps(y, 0, surface.cols, step, &row);
   EXPECT_TRUE(row.segments.empty());
-  return row.jump;
+  return Values(row.jump);
 }
 
 TEST(SurfacePrior, JumpIsDifferenceOfRoundedSurfaces) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -10,6 +11,10 @@
 #include "prior/orientation_prior.h"
 
 namespace stereo_sgmp {
+
+inline std::vector<std::int16_t> Values(const JumpEntries& entries) {
+  return {entries.data(), entries.data() + entries.size()};
+}
 
 // The jump of each disparity, after checks that segments are as JumpRow promises.
 inline std::vector<int> Unpack(const JumpRow& row, std::size_t i, int disparities) {

@@ -12,6 +12,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "prior/manhattan/line_detector.h"
+#include "prior/unpack_jumps.h"
 #include "scene/generated_scene.h"
 
 namespace stereo_sgmp {
@@ -123,7 +124,7 @@ TEST_P(ManhattanPriorOf, SameForAnyThreads) {
   for (int y = 0; y < kSize.height; y += 50) {
     a->Jumps(y, 0, kSize.width, {1, 1}, &row_a);
     b->Jumps(y, 0, kSize.width, {1, 1}, &row_b);
-    EXPECT_EQ(row_a.jump, row_b.jump);
+    EXPECT_EQ(Values(row_a.jump), Values(row_b.jump));
   }
 }
 

@@ -156,7 +156,7 @@ TEST(NormalPrior, FamilyOfOneSurfaceIsThatSurface) {
   for (const PathStep step : kSteps) {
     prior.Jumps(3, 0, shape.width, step, &row);
     expected.Jumps(3, 0, shape.width, step, &expected_row);
-    EXPECT_EQ(row.jump, expected_row.jump);
+    EXPECT_EQ(Values(row.jump), Values(expected_row.jump));
     EXPECT_TRUE(row.segments.empty());
   }
 }
@@ -176,16 +176,17 @@ TEST(NormalPrior, PlacedSurfaceLeadsFromComponentToComponentOfACell) {
   NormalPrior prior;
   prior.Assign(family, placed, shape);
   prior.Jumps(1, 2, 14, {1, 0}, &row);
-  EXPECT_EQ(row.jump, std::vector<std::int16_t>({0, 0, 0, 33, 0, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(Values(row.jump), std::vector<std::int16_t>({0, 0, 0, 33, 0, 0, 0, 0, 0, 0, 0, 0}));
   prior.Jumps(1, 0, 14, {-1, -1}, &row);
-  EXPECT_EQ(row.jump, std::vector<std::int16_t>({0, 0, 0, 0, -33, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(Values(row.jump),
+            std::vector<std::int16_t>({0, 0, 0, 0, -33, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
   placed(1, 5) = std::numeric_limits<float>::quiet_NaN();
   prior.Assign(family, placed, shape);
   prior.Jumps(1, 0, 14, {1, 0}, &row);
-  EXPECT_EQ(row.jump, std::vector<std::int16_t>(14, 0));
+  EXPECT_EQ(Values(row.jump), std::vector<std::int16_t>(14, 0));
   prior.Assign(family, cv::Mat(), shape);
   prior.Jumps(2, 0, 14, {1, 0}, &row);
-  EXPECT_EQ(row.jump, std::vector<std::int16_t>(14, 0));
+  EXPECT_EQ(Values(row.jump), std::vector<std::int16_t>(14, 0));
 }
 
 TEST(NormalPrior, RefusesOtherSize) {
