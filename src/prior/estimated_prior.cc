@@ -26,7 +26,7 @@ void SetsOfLabels(const cv::Mat& labels, std::size_t planes, PlaneSets* sets) {
   labels.convertTo(sets->ids, CV_16U, 1.0, 1.0);
 }
 
-// Jobs of one call, in which those that the planes wait for come first.
+// What threads do for one prior, where a job waits for none but those that it needs.
 class Jobs {
  public:
   std::size_t Add(std::function<void()> work, std::vector<std::size_t> after = {}) {

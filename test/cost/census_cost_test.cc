@@ -39,9 +39,10 @@ TEST_P(CensusCostTest, EqualsScalarReferenceOnAllTargets) {
   for (const VolumeShape& shape : AwkwardShapes()) {
     const cv::Mat left = RandomGray(shape.width, shape.height, 1);
     const cv::Mat right = RandomGray(shape.width, shape.height, 2);
+    const ExpectedCosts expected(shape, Reference(window, left, right));
     ForEachTarget([&] {
       Prepare(left, right, shape, window.window, 1, &cost);
-      ExpectCosts(cost, Reference(window, left, right));
+      ExpectCosts(cost, expected);
     });
   }
 }
@@ -53,10 +54,11 @@ TEST_P(CensusCostTest, CompactCostsAreTheFullOnesInUnits) {
   const cv::Mat right = RandomGray(shape.width, shape.height, 4);
   CensusCost cost;
   for (int unit = 2; unit <= 16; ++unit) {
+    const ExpectedCosts expected(shape, InUnits(Reference(window, left, right), unit));
     ForEachTarget([&] {
       Prepare(left, right, shape, window.window, unit, &cost);
       EXPECT_EQ(cost.unit(), unit);
-      ExpectCosts(cost, InUnits(Reference(window, left, right), unit));
+      ExpectCosts(cost, expected);
     });
   }
 }

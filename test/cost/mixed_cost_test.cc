@@ -60,10 +60,11 @@ TEST_P(MixedCostTest, EqualsScalarReferenceOnAllTargets) {
   for (const VolumeShape& shape : AwkwardShapes()) {
     const cv::Mat left = RandomGray(shape.width, shape.height, 1);
     const cv::Mat right = RandomGray(shape.width, shape.height, 2);
+    const ExpectedCosts expected(shape, Reference(left, right, RadiometricFit(), unit));
     ForEachTarget([&] {
       Prepare(left, right, shape, RadiometricFit(), unit, &cost);
       EXPECT_EQ(cost.unit(), unit);
-      ExpectCosts(cost, Reference(left, right, RadiometricFit(), unit));
+      ExpectCosts(cost, expected);
     });
   }
 }
@@ -76,9 +77,10 @@ TEST_P(MixedCostTest, SmoothImagesReachTheLowCosts) {
   cv::Mat right = RandomGray(shape.width, shape.height, 4);
   cv::GaussianBlur(right, right, cv::Size(), 4.0);
   MixedCost cost;
+  const ExpectedCosts expected(shape, Reference(left, right, RadiometricFit(), unit));
   ForEachTarget([&] {
     Prepare(left, right, shape, RadiometricFit(), unit, &cost);
-    ExpectCosts(cost, Reference(left, right, RadiometricFit(), unit));
+    ExpectCosts(cost, expected);
   });
 }
 

@@ -67,9 +67,10 @@ TEST(NccCostTest, EqualsScalarReferenceOnAllTargets) {
   for (const VolumeShape& shape : AwkwardShapes()) {
     const cv::Mat left = RandomGray(shape.width, shape.height, 1);
     const cv::Mat right = RandomGray(shape.width, shape.height, 2);
+    const ExpectedCosts expected(shape, Reference(left, right, 1.0F, 0));
     ForEachTarget([&] {
       Compute(left, right, shape, 1.0, false, 1, &cost);
-      ExpectCosts(cost, Reference(left, right, 1.0F, 0));
+      ExpectCosts(cost, expected);
     });
   }
 }
@@ -80,9 +81,10 @@ TEST(NccCostTest, VerticalToleranceTakesTheMinimumOfThreeRows) {
                                    VolumeShape{70, 9, 65, -4}, VolumeShape{65, 4, 300, -9}}) {
     const cv::Mat left = RandomGray(shape.width, shape.height, 3);
     const cv::Mat right = RandomGray(shape.width, shape.height, 4);
+    const ExpectedCosts expected(shape, Reference(left, right, 1.0F, 1));
     ForEachTarget([&] {
       Compute(left, right, shape, 1.0, true, 1, &cost);
-      ExpectCosts(cost, Reference(left, right, 1.0F, 1));
+      ExpectCosts(cost, expected);
     });
   }
 }
@@ -93,10 +95,11 @@ TEST(NccCostTest, CompactCostsAreTheFullOnesInUnits) {
   const cv::Mat right = RandomGray(shape.width, shape.height, 4);
   NccCost cost;
   for (int unit = 2; unit <= 16; ++unit) {
+    const ExpectedCosts expected(shape, InUnits(Reference(left, right, 1.0F, 1), unit));
     ForEachTarget([&] {
       Compute(left, right, shape, 1.0, true, unit, &cost);
       EXPECT_EQ(cost.unit(), unit);
-      ExpectCosts(cost, InUnits(Reference(left, right, 1.0F, 1), unit));
+      ExpectCosts(cost, expected);
     });
   }
 }

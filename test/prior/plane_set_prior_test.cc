@@ -114,24 +114,43 @@ std::vector<int> ScanColumn(const Scene& scene, int x, int y) {
   return {plane.begin() + kMargin, plane.begin() + kMargin + scene.shape.disparities};
 }
 
-std::vector<int> ExpectedJumps(const Scene& scene, JumpPolicy policy, int x, int y, PathStep step) {
-  const int disparities = scene.shape.disparities;
-  std::vector<int> jumps(static_cast<std::size_t>(disparities), 0);
-  const int px = x - step.dx;
-  const int py = y - step.dy;
-  if (px < 0 || py < 0 || px >= scene.shape.width || py >= scene.shape.height) return jumps;
-  const std::vector<int> at_p = ScanColumn(scene, px, py);
-  const std::vector<int> at_q = policy == JumpPolicy::kLiteral ? ScanColumn(scene, x, y) : at_p;
-  if (at_p.empty() || at_q.empty()) return jumps;
-  for (std::size_t d = 0; d < jumps.size(); ++d) {
-    const int jump = RoundedIndex(scene, at_q[d], x, y) - RoundedIndex(scene, at_p[d], px, py);
-    jumps[d] = std::max(-disparities, std::min(disparities, jump));
+// The scanned columns of all pixels, for all steps and targets.
+class ScannedScene {
+ public:
+  explicit ScannedScene(const Scene& scene) : scene_(scene) {
+    for (int y = 0; y < scene.shape.height; ++y) {
+      for (int x = 0; x < scene.shape.width; ++x) columns_.push_back(ScanColumn(scene, x, y));
+    }
   }
-  return jumps;
-}
+
+  std::vector<int> ExpectedJumps(JumpPolicy policy, int x, int y, PathStep step) const {
+    const int disparities = scene_.shape.disparities;
+    std::vector<int> jumps(static_cast<std::size_t>(disparities), 0);
+    const int px = x - step.dx;
+    const int py = y - step.dy;
+    if (px < 0 || py < 0 || px >= scene_.shape.width || py >= scene_.shape.height) return jumps;
+    const std::vector<int>& at_p = Column(px, py);
+    const std::vector<int>& at_q = policy == JumpPolicy::kLiteral ? Column(x, y) : at_p;
+    if (at_p.empty() || at_q.empty()) return jumps;
+    for (std::size_t d = 0; d < jumps.size(); ++d) {
+      const int jump = RoundedIndex(scene_, at_q[d], x, y) - RoundedIndex(scene_, at_p[d], px, py);
+      jumps[d] = std::max(-disparities, std::min(disparities, jump));
+    }
+    return jumps;
+  }
+
+ private:
+  const std::vector<int>& Column(int x, int y) const {
+    return columns_[static_cast<std::size_t>(y * scene_.shape.width + x)];
+  }
+
+  const Scene& scene_;
+  std::vector<std::vector<int>> columns_;
+};
 
 // Asks for `span` pixels at a time.
-void ExpectEqualsScan(const Scene& scene, JumpPolicy policy, int span) {
+void ExpectEqualsScan(const Scene& scene, const ScannedScene& scanned, JumpPolicy policy,
+                      int span) {
   PlaneSetPrior prior;
   prior.Assign(scene.planes, scene.sets, scene.shape, policy);
   JumpRow row;
@@ -142,7 +161,7 @@ void ExpectEqualsScan(const Scene& scene, JumpPolicy policy, int span) {
         prior.Jumps(y, begin, end, step, &row);
         for (int x = begin; x < end; ++x) {
           ASSERT_EQ(Unpack(row, static_cast<std::size_t>(x - begin), scene.shape.disparities),
-                    ExpectedJumps(scene, policy, x, y, step))
+                    scanned.ExpectedJumps(policy, x, y, step))
               << "x " << x << " y " << y << " step " << step.dx << " " << step.dy;
         }
       }
@@ -191,12 +210,13 @@ TEST_P(PlaneSetPriorScan, EqualsForwardAndBackwardScan) {
   const Case& c = GetParam();
   const Scene scene = RandomScene(Shape(c.width, c.height, c.disparities, c.min_disparity),
                                   c.coarse, c.planes, c.max_in_set, c.slope, 7);
+  const ScannedScene scanned(scene);
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     SCOPED_TRACE(hwy::TargetName(target));
     hwy::SetSupportedTargetsForTest(target);
-    ExpectEqualsScan(scene, JumpPolicy::kSameSurface, 37);
-    ExpectEqualsScan(scene, JumpPolicy::kSameSurface, 200);
-    ExpectEqualsScan(scene, JumpPolicy::kLiteral, 37);
+    ExpectEqualsScan(scene, scanned, JumpPolicy::kSameSurface, 37);
+    ExpectEqualsScan(scene, scanned, JumpPolicy::kSameSurface, 200);
+    ExpectEqualsScan(scene, scanned, JumpPolicy::kLiteral, 37);
     ExpectTogetherAsAlone(scene, JumpPolicy::kSameSurface, 48);
     ExpectTogetherAsAlone(scene, JumpPolicy::kLiteral, 48);
   }
@@ -239,10 +259,11 @@ TEST(PlaneSetPrior, PlanesWithCopiesEqualTheScan) {
     for (const auto& [below, above] : distances) {
       SCOPED_TRACE(testing::Message() << slope << ", " << below << " below, " << above << " above");
       const Scene copied = WithCopies(scene, below, above);
+      const ScannedScene scanned(copied);
       for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
         SCOPED_TRACE(hwy::TargetName(target));
         hwy::SetSupportedTargetsForTest(target);
-        ExpectEqualsScan(copied, JumpPolicy::kSameSurface, 37);
+        ExpectEqualsScan(copied, scanned, JumpPolicy::kSameSurface, 37);
         ExpectTogetherAsAlone(copied, JumpPolicy::kSameSurface, 48);
       }
     }
