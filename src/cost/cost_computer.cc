@@ -49,26 +49,24 @@ const CostRows& CostComputer::Start(const CostOptions& options, const cv::Mat& l
   throw std::invalid_argument("The matching cost is none of CostKind; use one that it lists.");
 }
 
-void CostComputer::PrepareLeft(ThreadPool* pool) {
+template <class Function>
+void CostComputer::WithCosts(const Function& function) {
   switch (kind_) {
     case CostKind::kNcc:
-      return ncc_.PrepareLeft(left_, pool);
+      return function(&ncc_);
     case CostKind::kCensus:
-      return census_.PrepareLeft(left_, pool);
+      return function(&census_);
     case CostKind::kMixed:
-      return mixed_.PrepareLeft(left_, pool);
+      return function(&mixed_);
   }
 }
 
+void CostComputer::PrepareLeft(ThreadPool* pool) {
+  WithCosts([&](auto* costs) { costs->PrepareLeft(left_, pool); });
+}
+
 void CostComputer::PrepareRight(ThreadPool* pool) {
-  switch (kind_) {
-    case CostKind::kNcc:
-      return ncc_.PrepareRight(right_, pool);
-    case CostKind::kCensus:
-      return census_.PrepareRight(right_, pool);
-    case CostKind::kMixed:
-      return mixed_.PrepareRight(right_, pool);
-  }
+  WithCosts([&](auto* costs) { costs->PrepareRight(right_, pool); });
 }
 
 void CostComputer::ComputeAhead(const std::function<bool()>& is_enough) {

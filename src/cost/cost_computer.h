@@ -37,6 +37,10 @@ class CostComputer {
   void Complete(ThreadPool* pool);
 
  private:
+  // Calls function(costs) with those of the kind.
+  template <class Function>
+  void WithCosts(const Function& function);
+
   CostKind kind_ = CostKind::kMixed;  // of the last Start, as the images
   cv::Mat left_;
   cv::Mat right_;
