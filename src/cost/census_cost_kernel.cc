@@ -13,6 +13,7 @@
 #include <hwy/highway.h>
 
 #include "cost/compact-inl.h"
+#include "cost/cost_stretch-inl.h"
 #include "cost/hamming-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -32,27 +33,43 @@ HWY_INLINE V8 Scaled(V8 h) {
   return kScale == 4 ? h4 : hn::Add(hn::Add(h4, h4), h2);
 }
 
+// Costs of single left pixels.
+template <int kBits, int kScale, bool kCompact>
+class CensusPixel {
+ public:
+  HWY_INLINE CensusPixel(FeatureRow left, FeatureRow right, const VolumeShape& shape, int unit)
+      : left_(left), right_(right), first_match_(MirroredColumn(shape, 0)), divide_(unit) {}
+
+  // At the disparity indices `inside`, rounded out to whole vectors.
+  HWY_INLINE void operator()(int x, MatchSpan inside, std::uint8_t* costs) const {
+    constexpr int kPlanes = (kBits + 7) / 8;
+    const D8 d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    // Read before costs are stored, which could change them for all the compiler knows.
+    V8 census[kPlanes];
+    for (int i = 0; i < kPlanes; ++i) {
+      census[i] = hn::Set(d, left_.first[i * left_.distance + x]);
+    }
+    const std::uint8_t* matches = right_.first + (first_match_ - x);
+    for (int k = inside.begin & -lanes; k < inside.end; k += lanes) {
+      const V8 h = HammingDistance(d, census, matches + k, right_.distance);
+      const V8 full = Scaled<kScale>(h);
+      hn::Store(kCompact ? divide_(full) : full, d, costs + k);
+    }
+  }
+
+ private:
+  const FeatureRow left_;
+  const FeatureRow right_;
+  const std::ptrdiff_t first_match_;
+  const CostDivider<D8> divide_;
+};
+
 template <int kBits, int kScale, bool kCompact>
 HWY_INLINE void CensusStretch(FeatureRow left, FeatureRow right, const VolumeShape& shape, int unit,
                               int x_begin, int x_end, std::uint8_t* costs) {
-  constexpr int kPlanes = (kBits + 7) / 8;
-  const D8 d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  const CostDivider<D8> divide(unit);
-  const std::uint8_t outside_cost = CompactCost(kBits * kScale / 2, unit);
-  for (int x = x_begin; x < x_end; ++x, costs += shape.Stride()) {
-    // Copied, because stores to `costs` could change them for all the compiler knows.
-    std::uint8_t census[kPlanes];
-    for (int i = 0; i < kPlanes; ++i) census[i] = left.first[i * left.distance + x];
-    const std::uint8_t* matches = right.first + MirroredColumn(shape, x);
-    const MatchSpan inside = InsideSpan(shape, x);
-    for (int k = inside.begin / lanes * lanes; k < inside.end; k += lanes) {
-      const V8 h = HammingDistance(d, census, matches + k, right.distance);
-      const V8 full = Scaled<kScale>(h);
-      hn::Store(kCompact ? divide(full) : full, d, costs + k);
-    }
-    FillOutside(shape, inside, outside_cost, costs);
-  }
+  const CensusPixel<kBits, kScale, kCompact> pixel(left, right, shape, unit);
+  ComputeStretch(shape, x_begin, x_end, CompactCost(kBits * kScale / 2, unit), pixel, costs);
 }
 
 template <int kBits, int kScale>

@@ -15,16 +15,16 @@ HWY_BEFORE_NAMESPACE();
 namespace stereo_sgmp {
 namespace HWY_NAMESPACE {
 
-// Distance of one left pixel, whose planes are `left`, to the right pixels at `right` and behind:
-// plane i of them stands at right + i * distance.
+// Distance of one left pixel, which has planes[i] in all lanes of vector i, to the right pixels at
+// `right` and behind: plane i of them stands at right + i * distance.
 template <int kPlanes, class D>
-HWY_INLINE hwy::HWY_NAMESPACE::Vec<D> HammingDistance(D d, const std::uint8_t (&left)[kPlanes],
-                                                      const std::uint8_t* right,
-                                                      std::ptrdiff_t distance) {
+HWY_INLINE hwy::HWY_NAMESPACE::Vec<D> HammingDistance(
+    D d, const hwy::HWY_NAMESPACE::Vec<D> (&planes)[kPlanes], const std::uint8_t* right,
+    std::ptrdiff_t distance) {
   namespace hn = hwy::HWY_NAMESPACE;
-  auto sum = hn::PopulationCount(hn::Xor(hn::Set(d, left[0]), hn::LoadU(d, right)));
+  auto sum = hn::PopulationCount(hn::Xor(planes[0], hn::LoadU(d, right)));
   for (int i = 1; i < kPlanes; ++i) {
-    const auto bits = hn::Xor(hn::Set(d, left[i]), hn::LoadU(d, right + i * distance));
+    const auto bits = hn::Xor(planes[i], hn::LoadU(d, right + i * distance));
     sum = hn::Add(sum, hn::PopulationCount(bits));
   }
   return sum;

@@ -30,6 +30,12 @@ inline MatchSpan InsideSpan(const VolumeShape& shape, int x) {
   return ClippedSpan(last - (shape.width - 1), last, shape.disparities);
 }
 
+// Whether all matches of pixel x lie inside.
+inline bool AllInside(const VolumeShape& shape, int x) {
+  const MatchSpan inside = InsideSpan(shape, x);
+  return inside.begin == 0 && inside.end == shape.disparities;
+}
+
 // Disparity indices that pixel x is matched at: up to the last whose match lies inside, in whole
 // blocks of VolumeShape::kPadding. Those beyond have no path costs.
 inline int ReachedDisparities(const VolumeShape& shape, int x) {

@@ -12,6 +12,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "cost/cost_stretch-inl.h"
 #include "cost/hamming-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -65,45 +66,58 @@ HWY_INLINE V8 SumOfTerms(CompactMixedCost /*cost*/, V8 h, V8 ad, V8 g) {
                  hn::Set(d, std::uint8_t{CompactMixedCost::kMax}));
 }
 
-// Costs of one left pixel at the disparity indices [begin, end), rounded out to whole vectors.
-// `right` stands at the column that index 0 matches.
+// Costs of single left pixels.
 template <class Cost>
-void MixedCostPixel(FeatureRow left, FeatureRow right, std::uint8_t ad_limit, MatchSpan span,
-                    std::uint8_t* costs) {
-  using F = MixedFeatures;
-  const D8 d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  // Copied, because stores to `costs` could change *left for all the compiler knows.
-  std::uint8_t census[F::kCensus.Bytes()];
-  for (int i = 0; i < F::kCensus.Bytes(); ++i) census[i] = left.first[i * left.distance];
-  const V8 gray = hn::Set(d, left.first[F::kGray * left.distance]);
-  const V8 gradient_x = hn::Set(d, left.first[F::kGradientX * left.distance]);
-  const V8 gradient_y = hn::Set(d, left.first[F::kGradientY * left.distance]);
-  const V8 limit = hn::Set(d, ad_limit);
-  const V8 gradient_limit = hn::Set(d, std::uint8_t{10});
-  for (int k = span.begin / lanes * lanes; k < span.end; k += lanes) {
-    const std::uint8_t* match = right.first + k;
-    const V8 h = HammingDistance(d, census, match, right.distance);
-    const V8 ad = AbsoluteDifference(gray, hn::LoadU(d, match + F::kGray * right.distance));
-    const V8 dx =
-        AbsoluteDifference(gradient_x, hn::LoadU(d, match + F::kGradientX * right.distance));
-    const V8 dy =
-        AbsoluteDifference(gradient_y, hn::LoadU(d, match + F::kGradientY * right.distance));
-    const V8 gradient = hn::Min(hn::SaturatedAdd(dx, dy), gradient_limit);
-    hn::Store(SumOfTerms(Cost(), h, hn::Min(ad, limit), gradient), d, costs + k);
+class MixedPixel {
+ public:
+  HWY_INLINE MixedPixel(FeatureRow left, FeatureRow right, const VolumeShape& shape,
+                        std::uint8_t ad_limit)
+      : left_(left),
+        right_(right),
+        first_match_(MirroredColumn(shape, 0)),
+        limit_(hn::Set(D8(), ad_limit)) {}
+
+  // At the disparity indices `inside`, rounded out to whole vectors.
+  HWY_INLINE void operator()(int x, MatchSpan inside, std::uint8_t* costs) const {
+    using F = MixedFeatures;
+    const D8 d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    const std::ptrdiff_t right = right_.distance;
+    const V8 gradient_limit = hn::Set(d, std::uint8_t{10});
+    // Read before costs are stored, which could change them for all the compiler knows.
+    V8 census[F::kCensus.Bytes()];
+    for (int i = 0; i < F::kCensus.Bytes(); ++i) census[i] = Left(x, i);
+    const V8 gray = Left(x, F::kGray);
+    const V8 gradient_x = Left(x, F::kGradientX);
+    const V8 gradient_y = Left(x, F::kGradientY);
+    const std::uint8_t* matches = right_.first + (first_match_ - x);
+    for (int k = inside.begin & -lanes; k < inside.end; k += lanes) {
+      const std::uint8_t* match = matches + k;
+      const V8 h = HammingDistance(d, census, match, right);
+      const V8 ad = AbsoluteDifference(gray, hn::LoadU(d, match + F::kGray * right));
+      const V8 dx = AbsoluteDifference(gradient_x, hn::LoadU(d, match + F::kGradientX * right));
+      const V8 dy = AbsoluteDifference(gradient_y, hn::LoadU(d, match + F::kGradientY * right));
+      const V8 gradient = hn::Min(hn::SaturatedAdd(dx, dy), gradient_limit);
+      hn::Store(SumOfTerms(Cost(), h, hn::Min(ad, limit_), gradient), d, costs + k);
+    }
   }
-}
+
+ private:
+  HWY_INLINE V8 Left(int x, int plane) const {
+    return hn::Set(D8(), left_.first[x + plane * left_.distance]);
+  }
+
+  const FeatureRow left_;
+  const FeatureRow right_;
+  const std::ptrdiff_t first_match_;
+  const V8 limit_;
+};
 
 template <class Cost>
 HWY_INLINE void MixedStretch(FeatureRow left, FeatureRow right, const VolumeShape& shape,
                              std::uint8_t ad_limit, int x_begin, int x_end, std::uint8_t* costs) {
-  for (int x = x_begin; x < x_end; ++x, costs += shape.Stride()) {
-    const MatchSpan inside = InsideSpan(shape, x);
-    MixedCostPixel<Cost>({left.first + x, left.distance},
-                         {right.first + MirroredColumn(shape, x), right.distance}, ad_limit, inside,
-                         costs);
-    FillOutside(shape, inside, Cost::kOutside, costs);
-  }
+  const MixedPixel<Cost> pixel(left, right, shape, ad_limit);
+  ComputeStretch(shape, x_begin, x_end, Cost::kOutside, pixel, costs);
 }
 
 void FullMixedStretch(FeatureRow left, FeatureRow right, const VolumeShape& shape,
