@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 // Of lambdas: what is in vectors has to stay in registers from caller to callee.
 #ifndef STEREO_SGMP_INLINE_ATTR
@@ -30,6 +31,22 @@ using Lanes16 = Lanes<std::uint16_t>;
 
 template <class T>
 inline constexpr int kLanes = static_cast<int>(hn::MaxLanes(Tag<T>()));
+
+template <class Use, int... kEach>
+HWY_INLINE void UseEach(const Use& use, std::integer_sequence<int, kEach...> /*each*/) {
+  (use(kEach), ...);
+}
+
+// Calls use(i) for each i in [0, count). With kCount known, other than 0, without a loop: an array
+// of vectors that a loop goes through may stay in memory, where each waits for its store.
+template <int kCount, class Use>
+HWY_INLINE void ForEach(int count, const Use& use) {
+  if constexpr (kCount > 0) {
+    UseEach(use, std::make_integer_sequence<int, kCount>());
+  } else {
+    for (int i = 0; i < count; ++i) use(i);
+  }
+}
 
 #if HWY_TARGET != HWY_SCALAR
 

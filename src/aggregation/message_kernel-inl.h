@@ -28,6 +28,7 @@ inline constexpr int kAnyVectors = 0;
 template <class T, int kVectors, bool kFull>
 struct PixelShape {
   static constexpr int kMaxDisparities = 2048;
+  static constexpr int kVectorCount = kVectors;
   static constexpr bool kIsFull = kFull;
   static constexpr int kMost =
       kVectors != kAnyVectors ? kVectors : (kMaxDisparities + kLanes<T> - 1) / kLanes<T>;

@@ -59,12 +59,12 @@ template <class T, class Shape, bool kForward>
 class RightWindow {
  public:
   RightWindow(const SweepStretch<T>& s, const Shape& shape) : s_(s), shape_(shape) {
-    for (int v = 0; v < Count(); ++v) {
-      best_[v] = hn::Load(Tag<T>(), s.right.best + v * kLanes<T>);
-      for (int part = 0; part < kIndexParts; ++part) {
+    ForEachVector([&](int v) STEREO_SGMP_INLINE_ATTR {
+      best_[v] = hn::Load(Tag<T>(), s_.right.best + v * kLanes<T>);
+      ForEachPart([&](int part) STEREO_SGMP_INLINE_ATTR {
         index_[part][v] = hn::Load(Tag<T>(), IndexPart(part) + v * kLanes<T>);
-      }
-    }
+      });
+    });
   }
 
   // Of the disparity indices of vector v. The largest number is no offer.
@@ -72,9 +72,9 @@ class RightWindow {
     const Lanes<T> best = hn::Min(offer, best_[v]);
     const auto stays = kForward ? hn::Eq(best, best_[v]) : hn::Ne(best, offer);
     best_[v] = best;
-    for (int part = 0; part < kIndexParts; ++part) {
+    ForEachPart([&](int part) STEREO_SGMP_INLINE_ATTR {
       index_[part][v] = hn::IfThenElse(stays, index_[part][v], IndicesOf(part, v));
-    }
+    });
   }
 
   // On to the next left pixel: returns the winner of the right pixel that leaves, a disparity index
@@ -82,23 +82,23 @@ class RightWindow {
   HWY_INLINE std::uint16_t Move() {
     const std::uint16_t winner = LeavingWinner();
     Shift(hn::Set(Tag<T>(), kNoOffer), best_);
-    for (int part = 0; part < kIndexParts; ++part) Shift(hn::Zero(Tag<T>()), index_[part]);
+    ForEachPart([&](int part) STEREO_SGMP_INLINE_ATTR { Shift(hn::Zero(Tag<T>()), index_[part]); });
     return winner;
   }
 
   // Leaves the window to the next stretch or, at the end of the row, the winners to the image.
   // `first` is the right pixel in the first lane.
   HWY_INLINE void Finish(int first) {
-    for (int v = 0; v < Count(); ++v) {
+    ForEachVector([&](int v) STEREO_SGMP_INLINE_ATTR {
       hn::Store(best_[v], Tag<T>(), s_.right.best + v * kLanes<T>);
-      for (int part = 0; part < kIndexParts; ++part) {
+      ForEachPart([&](int part) STEREO_SGMP_INLINE_ATTR {
         hn::Store(index_[part][v], Tag<T>(), IndexPart(part) + v * kLanes<T>);
-      }
+      });
       // The next stretch may have another shape, which reads both bytes.
       if constexpr (sizeof(T) == 1 && kIndexParts == 1) {
         hn::Store(hn::Zero(Tag<T>()), Tag<T>(), IndexPart(1) + v * kLanes<T>);
       }
-    }
+    });
     if (s_.u_end == s_.width) WriteRightWinners<T>(s_, Count() * kLanes<T>, first);
   }
 
@@ -108,6 +108,16 @@ class RightWindow {
   static constexpr int kIndexParts = sizeof(T) == 1 && kMost * kLanes<T> > kMostByteIndices ? 2 : 1;
 
   HWY_INLINE int Count() const { return shape_.Count(); }
+
+  template <class Use>
+  HWY_INLINE void ForEachVector(const Use& use) const {
+    ForEach<Shape::kVectorCount>(Count(), use);
+  }
+  template <class Use>
+  static HWY_INLINE void ForEachPart(const Use& use) {
+    ForEach<kIndexParts>(kIndexParts, use);
+  }
+
   HWY_INLINE T* IndexPart(int part) const { return s_.right.index + part * s_.stride; }
 
   static HWY_INLINE Lanes<T> IndicesOf(int part, int v) {
@@ -129,15 +139,15 @@ class RightWindow {
   }
 
   HWY_INLINE void Shift(Lanes<T> enters, Lanes<T>* vectors) const {
-    if constexpr (kForward) {
-      for (int v = Count() - 1; v >= 0; --v) {
+    const int last = Count() - 1;
+    ForEachVector([&](int i) STEREO_SGMP_INLINE_ATTR {
+      if constexpr (kForward) {
+        const int v = last - i;
         vectors[v] = FromBelow<T>(v > 0 ? vectors[v - 1] : enters, vectors[v]);
+      } else {
+        vectors[i] = FromAbove<T>(vectors[i], i < last ? vectors[i + 1] : enters);
       }
-    } else {
-      for (int v = 0; v < Count(); ++v) {
-        vectors[v] = FromAbove<T>(vectors[v], v + 1 < Count() ? vectors[v + 1] : enters);
-      }
-    }
+    });
   }
 
   const SweepStretch<T>& s_;

@@ -215,9 +215,15 @@ void SweepOf(const SweepStretch<T>& s) {
         return SweepVectors<T, kPaths, 4>(s);
       case 5:
         return SweepVectors<T, kPaths, 5>(s);
+      // 192, 256 and 320 disparities in vectors of 32; longer vectors need fewer.
+      case 6:
+        if constexpr (kLanes<T> == 32) return SweepVectors<T, kPaths, 6>(s);
+        break;
       case 8:
-        // 256 disparities in vectors of 32; longer vectors need fewer.
         if constexpr (kLanes<T> == 32) return SweepVectors<T, kPaths, 8>(s);
+        break;
+      case 10:
+        if constexpr (kLanes<T> == 32) return SweepVectors<T, kPaths, 10>(s);
         break;
       default:
         break;

@@ -35,10 +35,14 @@ class WinnerReader {
   HWY_INLINE void Read() {
     sums_.StoreLeast(least_);
     for (int place = 0; place < sums_.count(); ++place) winner_[place] = FirstLeast(place);
+    LookUpNeighbours();
     StoreSecond();
     s_.IsForward() ? OfferForward() : OfferBackward();
+    // What was found pixel by pixel, some steps ago, so that no vector of it waits for the stores
+    // of its lanes.
     WriteLeast();
     WriteNeighbours();
+    WriteRight();
   }
 
  private:
@@ -67,27 +71,21 @@ class WinnerReader {
         second_);
   }
 
-  HWY_INLINE void OfferForward() const {
+  HWY_INLINE void OfferForward() {
     RightWindow<T, Shape, true> right(s_, shape_);
-    std::uint16_t winners[kPixels];
     for (int place = 0; place < sums_.count(); ++place) {
-      winners[place] = right.Move();
+      right_winner_[place] = right.Move();
       Offer(place, &right);
     }
-    // What is done with is one beyond the last lane.
-    WriteRight(winners, s_.right.min_disparity + shape_.Count() * kLanes<T>);
     right.Finish(sums_.first_column() + sums_.count() - 1 - s_.right.min_disparity);
   }
 
-  HWY_INLINE void OfferBackward() const {
+  HWY_INLINE void OfferBackward() {
     RightWindow<T, Shape, false> right(s_, shape_);
-    std::uint16_t winners[kPixels];
     for (int place = sums_.count() - 1; place >= 0; --place) {
       Offer(place, &right);
-      winners[place] = right.Move();
+      right_winner_[place] = right.Move();
     }
-    // What is done with matches disparity index 0.
-    WriteRight(winners, s_.right.min_disparity);
     right.Finish(sums_.first_column() - 1 - s_.right.min_disparity);
   }
 
@@ -95,18 +93,21 @@ class WinnerReader {
   HWY_INLINE void Offer(int place, Window* right) const {
     const auto base = static_cast<T>(std::min<int>(sums_.base()[place], kMost));
     const Lanes<T> bases = hn::Set(Tag<T>(), base);
-    for (int v = 0; v < shape_.Count(); ++v) {
+    ForEach<Shape::kVectorCount>(shape_.Count(), [&](int v) STEREO_SGMP_INLINE_ATTR {
       right->Offer(v, OfferOf<T>(sums_.Vector(place, v), bases));
-    }
+    });
   }
 
-  // The winners of the right pixels that stand `offset` to the left of each place, as far as the
-  // image goes.
-  HWY_INLINE void WriteRight(const std::uint16_t* winners, int offset) const {
+  // The winners of the right pixels that left the window at each place, as far as the image goes:
+  // beyond the last lane, or those that match disparity index 0.
+  HWY_INLINE void WriteRight() const {
+    const int offset = s_.right.min_disparity + (s_.IsForward() ? shape_.Count() * kLanes<T> : 0);
     const int first = sums_.first_column() - offset;
     const int begin = std::max(first, 0);
     const int end = std::min(first + sums_.count(), s_.width);
-    if (begin < end) std::copy_n(winners + (begin - first), end - begin, s_.right.winner + begin);
+    if (begin < end) {
+      std::copy_n(right_winner_ + (begin - first), end - begin, s_.right.winner + begin);
+    }
   }
 
   HWY_INLINE void WriteLeast() const {
@@ -131,21 +132,23 @@ class WinnerReader {
     Write(second, s_.winners.second);
   }
 
+  HWY_INLINE void LookUpNeighbours() {
+    const int last = s_.disparities - 1;
+    for (int i = 0; i < kPixels; ++i) {
+      const T* excess = sums_.Row(i);
+      excess_below_[i] = excess[std::max(winner_[i] - 1, 0)];
+      excess_above_[i] = excess[std::min(winner_[i] + 1, last)];
+    }
+  }
+
   HWY_INLINE void WriteNeighbours() const {
     const int unit = s_.unit * kSumStep<T>;
     const int last = s_.disparities - 1;
-    int excess_below[kPixels];
-    int excess_above[kPixels];
-    for (int i = 0; i < kPixels; ++i) {
-      const T* excess = sums_.Row(i);
-      excess_below[i] = excess[std::max(winner_[i] - 1, 0)];
-      excess_above[i] = excess[std::min(winner_[i] + 1, last)];
-    }
     std::uint16_t below[kPixels];
     std::uint16_t above[kPixels];
     for (int i = 0; i < kPixels; ++i) {
-      const int sum_below = (sums_.base()[i] + excess_below[i]) * unit;
-      const int sum_above = (sums_.base()[i] + excess_above[i]) * unit;
+      const int sum_below = (sums_.base()[i] + excess_below_[i]) * unit;
+      const int sum_above = (sums_.base()[i] + excess_above_[i]) * unit;
       below[i] = static_cast<std::uint16_t>(winner_[i] > 0 ? sum_below : WinnerMap::kNone);
       above[i] = static_cast<std::uint16_t>(winner_[i] < last ? sum_above : WinnerMap::kNone);
     }
@@ -166,7 +169,10 @@ class WinnerReader {
   const SweepStretch<T>& s_;
   const Shape& shape_;
   const StretchSums<T, Shape>& sums_;
-  int winner_[kPixels] = {};  // disparity indices, by place
+  int winner_[kPixels] = {};             // disparity indices, by place
+  std::uint16_t right_winner_[kPixels];  // of the right pixel that left the window there
+  int excess_below_[kPixels];
+  int excess_above_[kPixels];
   HWY_ALIGN T least_[kPixels];
   HWY_ALIGN T second_[kPixels];
 };
