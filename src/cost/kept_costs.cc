@@ -7,14 +7,15 @@ namespace stereo_sgmp {
 
 void KeptCosts::Start(const CostRows& source) {
   source_ = &source;
-  costs_.Resize(shape().PaddedSize());
-  kept_.assign(static_cast<std::size_t>(shape().height), {0, shape().width});
+  shape_ = source.shape();
+  costs_.Resize(shape_.PaddedSize());
+  kept_.assign(static_cast<std::size_t>(shape_.height), {0, shape_.width});
 }
 
 void KeptCosts::ComputeAhead(const std::function<bool()>& is_enough) {
-  for (int y = 0; y < shape().height && !is_enough(); ++y) {
-    Keep(y, 0, shape().width);
-    kept_[static_cast<std::size_t>(y)].left_end = shape().width;
+  for (int y = 0; y < shape_.height && !is_enough(); ++y) {
+    Keep(y, 0, shape_.width);
+    kept_[static_cast<std::size_t>(y)].left_end = shape_.width;
   }
 }
 
@@ -31,12 +32,12 @@ const std::uint8_t* KeptCosts::Row(int y, int x_begin, int x_end, std::uint8_t* 
       return source_->Row(y, x_begin, x_end, scratch);
     }
     Keep(y, x_begin, x_end);
-    if (kept.left_end >= kept.right_begin) kept.left_end = shape().width;
+    if (kept.left_end >= kept.right_begin) kept.left_end = shape_.width;
   }
   return Place(y, x_begin);
 }
 
-std::uint8_t* KeptCosts::Place(int y, int x) const { return costs_.data() + shape().Offset(y, x); }
+std::uint8_t* KeptCosts::Place(int y, int x) const { return costs_.data() + shape_.Offset(y, x); }
 
 void KeptCosts::Keep(int y, int x_begin, int x_end) const {
   std::uint8_t* place = Place(y, x_begin);

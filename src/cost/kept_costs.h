@@ -22,7 +22,7 @@ class KeptCosts final : public CostRows {
   // so. Nobody else may ask meanwhile.
   void ComputeAhead(const std::function<bool()>& is_enough);
 
-  const VolumeShape& shape() const override { return source_->shape(); }
+  const VolumeShape& shape() const override { return shape_; }
   int unit() const override { return source_->unit(); }
   const std::uint8_t* Row(int y, int x_begin, int x_end, std::uint8_t* scratch) const override;
 
@@ -38,6 +38,7 @@ class KeptCosts final : public CostRows {
   void Keep(int y, int x_begin, int x_end) const;
 
   const CostRows* source_ = nullptr;
+  VolumeShape shape_;
   // What asking changes; what is read stays the same.
   mutable AlignedBuffer<std::uint8_t> costs_;
   mutable std::vector<Kept> kept_;  // by row

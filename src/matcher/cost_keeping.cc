@@ -5,9 +5,9 @@
 namespace stereo_sgmp {
 
 bool KeepsCosts(const Options& options, const VolumeShape& shape) {
-  // Of larger volumes it gains little: at 1280x720x128, three times as large, 2 % of a frame.
-  constexpr std::size_t kMostKept = std::size_t{40} << 20;
-  return options.cost.kind == CostKind::kMixed && options.memory_limit == 0 &&
+  constexpr std::size_t kMostKept = std::size_t{384} << 20;  // holds 1440x994x256
+  // NCC stores its costs itself.
+  return options.cost.kind != CostKind::kNcc && options.memory_limit == 0 &&
          shape.PaddedSize() <= kMostKept;
 }
 

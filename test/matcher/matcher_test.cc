@@ -326,12 +326,15 @@ TEST(MatcherTest, TheMemoryHasCostsThatAreKeptBetweenSweeps) {
   Options options;
   options.num_disparities = 64;
   const std::size_t kept = EstimateMemory(options, size);
-  options.cost.kind = CostKind::kCensus;  // never kept
   const std::size_t volume = std::size_t{640} * 480 * 64;
-  EXPECT_GT(kept, EstimateMemory(options, size) + volume);
-  options.cost.kind = CostKind::kMixed;
   options.memory_limit = 1000;
   EXPECT_LT(EstimateMemory(options, size) + volume, kept) << "with a limit, nothing is kept";
+  options.memory_limit = 0;
+  const auto of_disparities = [&](int disparities) {
+    options.num_disparities = disparities;
+    return EstimateMemory(options, cv::Size(2048, 1536));
+  };
+  EXPECT_LT(of_disparities(192), of_disparities(128)) << "large volumes are not kept";
 }
 
 TEST(MatcherTest, AnErrorLeavesTheMatcherUsable) {
