@@ -112,18 +112,20 @@ class WinnerReader {
 
   HWY_INLINE void WriteLeast() const {
     const int unit = s_.unit * kSumStep<T>;
-    const int disparities = s_.disparities;
+    const int last_with_second_above = s_.disparities - 3;
+    const int* base = sums_.base();
+    const int* path_minima = sums_.path_minima();
     std::uint16_t winner[kPixels];
     std::uint16_t cost[kPixels];
     std::uint16_t uncertainty[kPixels];
     std::uint16_t second[kPixels];
     for (int i = 0; i < kPixels; ++i) {
-      const int least = sums_.base()[i] + least_[i];
-      const int next = (sums_.base()[i] + second_[i]) * unit;
-      const bool has_second = winner_[i] > 1 || winner_[i] + 2 < disparities;
+      const int least = base[i] + least_[i];
+      const int next = (base[i] + second_[i]) * unit;
+      const bool has_second = (winner_[i] > 1) | (winner_[i] <= last_with_second_above);
       winner[i] = static_cast<std::uint16_t>(winner_[i]);
       cost[i] = static_cast<std::uint16_t>(least * unit);
-      uncertainty[i] = static_cast<std::uint16_t>((least - sums_.path_minima()[i]) * unit);
+      uncertainty[i] = static_cast<std::uint16_t>((least - path_minima[i]) * unit);
       second[i] = static_cast<std::uint16_t>(has_second ? next : WinnerMap::kNone);
     }
     Write(winner, s_.winners.winner);
