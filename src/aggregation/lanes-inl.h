@@ -69,7 +69,7 @@ HWY_INLINE hn::Vec<D> SmallestOfBlock(D d, hn::Vec<D> v) {
 
 // The smallest of corresponding lanes of all blocks of 128 bits.
 template <class D>
-HWY_INLINE auto SmallestOfBlocks(D d, hn::Vec<D> v) {
+HWY_INLINE auto SmallestOfBlocks(D /*d*/, hn::Vec<D> v) {
   if constexpr (hn::MaxLanes(D()) * sizeof(hn::TFromD<D>) > 16) {
     const hn::Half<D> half;
     return SmallestOfBlocks(half, hn::Min(hn::LowerHalf(half, v), hn::UpperHalf(half, v)));
