@@ -145,8 +145,7 @@ HWY_INLINE Moments MomentsOf(const plane_seed::ColumnSums* columns, int window) 
 // Means, and mean products of the deviations from them.
 HWY_INLINE Moments AboutMean(const Moments& sums) {
   const VD n = sums.n;
-  Moments m;
-  m.n = n;
+  Moments m = sums;
   m.x = hn::Div(sums.x, n);
   m.y = hn::Div(sums.y, n);
   m.d = hn::Div(sums.d, n);
