@@ -6,10 +6,12 @@
 #include <atomic>
 #include <chrono>
 #include <cstring>
+#include <optional>
 #include <random>
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "aggregation/reference_aggregation.h"
 
@@ -162,6 +164,9 @@ constexpr Case kSizes[] = {{1, 1, 1, 0},    {1, 9, 2, 0},     {7, 1, 5, -2},    
                            {31, 8, 64, 40}, {3, 13, 130, 0},  {4, 5, 320, 0},   {3, 4, 400, 1},
                            {90, 4, 100, 2}, {140, 3, 140, 5}, {200, 1, 256, -3}};
 
+// As many vectors as the longest and the shortest of them make of the usual ranges.
+constexpr Case kWideSizes[] = {{190, 2, 180, -2}, {322, 2, 310, -4}, {321, 1, 320, 0}};
+
 class AggregatorTest : public ::testing::Test {
  protected:
   WinnerMap Run(const reference::Volume& volume, const cv::Mat& guide,
@@ -170,9 +175,9 @@ class AggregatorTest : public ::testing::Test {
     const ReferenceCosts costs(volume);
     const FunctionPrior prior(volume.shape, jump);
     WinnerMap winners;
-    aggregator_.Run(costs, guide, options_,
-                    PathPrior{jump ? &prior : nullptr, jump ? &prior : nullptr, slack}, strip_rows_,
-                    &pool, &winners);
+    aggregator_->Run(costs, guide, options_,
+                     PathPrior{jump ? &prior : nullptr, jump ? &prior : nullptr, slack},
+                     strip_rows_, &pool, &winners);
     return winners;
   }
 
@@ -192,22 +197,40 @@ class AggregatorTest : public ::testing::Test {
 
   void ExpectReference(const reference::JumpFunction& jump, int slack) {
     unsigned seed = 1;
-    for (const Case& size : kSizes) {
-      SCOPED_TRACE(::testing::Message() << size.width << "x" << size.height << "x"
-                                        << size.disparities << " from " << size.min_disparity);
-      const reference::Volume volume = RandomVolume(size, seed, unit_);
-      const cv::Mat guide = RandomGuide(size, seed % 2 == 0 ? CV_8UC1 : CV_8UC3, seed);
-      ++seed;
-      const WinnerMap expected = reference::Aggregate(volume, guide, options_, jump, slack);
-      ExpectSame(Run(volume, guide, jump, slack, 1), expected);
-      ExpectSame(Run(volume, guide, jump, slack, 3), expected);
-    }
+    for (const Case& size : kSizes) ExpectReference(size, seed++, jump, slack, {kAllTargets});
+  }
+
+  void ExpectReferenceOnEachTarget(const reference::JumpFunction& jump, int slack) {
+    const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
+    unsigned seed = 1;
+    for (const Case& size : kSizes) ExpectReference(size, seed++, jump, slack, targets);
+    for (const Case& size : kWideSizes) ExpectReference(size, seed++, jump, slack, targets);
   }
 
   AggregationOptions options_;
   int unit_ = 1;        // 1: path costs of 16 bits; kBytes: of 8
   int strip_rows_ = 0;  // all
-  Aggregator aggregator_;
+  std::optional<Aggregator> aggregator_{std::in_place};
+
+ private:
+  static constexpr std::int64_t kAllTargets = 0;
+
+  void ExpectReference(const Case& size, unsigned seed, const reference::JumpFunction& jump,
+                       int slack, const std::vector<std::int64_t>& targets) {
+    SCOPED_TRACE(::testing::Message() << size.width << "x" << size.height << "x" << size.disparities
+                                      << " from " << size.min_disparity);
+    const reference::Volume volume = RandomVolume(size, seed, unit_);
+    const cv::Mat guide = RandomGuide(size, seed % 2 == 0 ? CV_8UC1 : CV_8UC3, seed);
+    const WinnerMap expected = reference::Aggregate(volume, guide, options_, jump, slack);
+    for (const std::int64_t target : targets) {
+      SCOPED_TRACE(hwy::TargetName(target));
+      hwy::SetSupportedTargetsForTest(target);
+      if (target != kAllTargets) aggregator_.emplace();  // buffers are those of a target
+      ExpectSame(Run(volume, guide, jump, slack, 1), expected);
+      ExpectSame(Run(volume, guide, jump, slack, 3), expected);
+    }
+    hwy::SetSupportedTargetsForTest(kAllTargets);
+  }
 };
 
 constexpr int kBytes = 7;
@@ -266,19 +289,14 @@ TEST_F(AggregatorTest, EqualsTheFormulasInStrips) {
 }
 
 TEST_F(AggregatorTest, EverySimdTargetGivesTheSameBits) {
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    SCOPED_TRACE(hwy::TargetName(target));
-    hwy::SetSupportedTargetsForTest(target);
-    for (const int unit : {1, kBytes}) {
-      unit_ = unit;
-      for (const PathScheme scheme :
-           {PathScheme::kFour, PathScheme::kEight, PathScheme::kFourTwice}) {
-        options_.scheme = scheme;
-        ExpectReference(kSeveralJumps, 15);
-      }
+  for (const int unit : {1, kBytes}) {
+    unit_ = unit;
+    for (const PathScheme scheme :
+         {PathScheme::kFour, PathScheme::kEight, PathScheme::kFourTwice}) {
+      options_.scheme = scheme;
+      ExpectReferenceOnEachTarget(kSeveralJumps, 15);
     }
   }
-  hwy::SetSupportedTargetsForTest(0);
 }
 
 TEST_F(AggregatorTest, BothSweepsCompleteSToTheSameBits) {
