@@ -8,6 +8,21 @@
 namespace stereo_sgmp {
 namespace {
 
+#if HWY_ARCH_ARM
+// OpenCV's own sums are fused there, which rounds some gray levels the other way.
+constexpr double kLargestDifference = 1.0;
+constexpr double kMostDifferent = 0.01;  // of all
+#else
+constexpr double kLargestDifference = 0.0;
+constexpr double kMostDifferent = 0.0;
+#endif
+
+void ExpectSame(const cv::Mat& shrunk, const cv::Mat& expected) {
+  EXPECT_LE(cv::norm(shrunk, expected, cv::NORM_INF), kLargestDifference);
+  EXPECT_LE(cv::norm(shrunk, expected, cv::NORM_L1),
+            kMostDifferent * static_cast<double>(expected.total()) * expected.channels());
+}
+
 TEST(AreaShrinkerTest, EqualsOpenCvOnAnyNumberOfThreadsAndTarget) {
   ThreadPool one(1);
   ThreadPool three(3);
@@ -28,8 +43,9 @@ TEST(AreaShrinkerTest, EqualsOpenCvOnAnyNumberOfThreadsAndTarget) {
           cv::Mat shrunk;
           shrinker.Shrink(image, to, &shrunk, pool);
           hwy::SetSupportedTargetsForTest(0);
-          EXPECT_EQ(cv::norm(shrunk, expected, cv::NORM_INF), 0.0)
-              << from << " to " << to << " " << hwy::TargetName(target);
+          SCOPED_TRACE(::testing::Message()
+                       << from << " to " << to << " " << hwy::TargetName(target));
+          ExpectSame(shrunk, expected);
         }
       }
     }
