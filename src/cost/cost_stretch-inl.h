@@ -18,21 +18,26 @@ namespace HWY_NAMESPACE {
 
 // The costs of the pixels [x_begin, x_end) of a row, as CostRows::Row lays them out:
 // pixel(x, inside, costs) sets those of one at the disparity indices `inside`, rounded out to whole
-// vectors; `outside_cost` is that of the others. Most stretches have no others: their pixels are
-// not asked one by one.
+// vectors; `outside_cost` is that of the others, which most pixels don't have.
 template <class Pixel>
 HWY_INLINE void ComputeStretch(const VolumeShape& shape, int x_begin, int x_end,
                                std::uint8_t outside_cost, const Pixel& pixel, std::uint8_t* costs) {
   const int stride = shape.Stride();
-  if (HWY_LIKELY(AllInside(shape, x_begin) && AllInside(shape, x_end - 1))) {
-    const MatchSpan all{0, shape.disparities};
-    for (int x = x_begin; x < x_end; ++x, costs += stride) pixel(x, all, costs);
-    return;
-  }
-  for (int x = x_begin; x < x_end; ++x, costs += stride) {
-    const MatchSpan inside = InsideSpan(shape, x);
-    pixel(x, inside, costs);
-    FillOutside(shape, inside, outside_cost, costs);
+  const MatchSpan all{0, shape.disparities};
+  const MatchSpan inner = InnerColumns(shape);
+  for (int x = x_begin; x < x_end;) {
+    if (HWY_LIKELY(x >= inner.begin && x < inner.end)) {
+      for (const int end = HWY_MIN(x_end, inner.end); x < end; ++x, costs += stride) {
+        pixel(x, all, costs);
+      }
+      continue;
+    }
+    const int end = x < inner.begin ? HWY_MIN(x_end, inner.begin) : x_end;
+    for (; x < end; ++x, costs += stride) {
+      const MatchSpan inside = InsideSpan(shape, x);
+      pixel(x, inside, costs);
+      FillOutside(shape, inside, outside_cost, costs);
+    }
   }
 }
 

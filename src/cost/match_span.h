@@ -30,10 +30,10 @@ inline MatchSpan InsideSpan(const VolumeShape& shape, int x) {
   return ClippedSpan(last - (shape.width - 1), last, shape.disparities);
 }
 
-// Whether all matches of pixel x lie inside.
-inline bool AllInside(const VolumeShape& shape, int x) {
-  const MatchSpan inside = InsideSpan(shape, x);
-  return inside.begin == 0 && inside.end == shape.disparities;
+// Columns of the pixels whose matches all lie inside.
+inline MatchSpan InnerColumns(const VolumeShape& shape) {
+  return ClippedSpan(shape.min_disparity + shape.disparities - 1,
+                     shape.min_disparity + shape.width - 1, shape.width);
 }
 
 // Disparity indices that pixel x is matched at: up to the last whose match lies inside, in whole
