@@ -7,13 +7,15 @@ target_compile_options(stereo_sgmp_compile_options INTERFACE
   # Functions of this library are not replaced from outside: they may be inlined.
   -fno-semantic-interposition)
 # SIMD targets that Highway chooses from at run time: from SSE4 on; older processors take the
-# plain one. Each target adds to the build time. On Arm NEON: vectors of SVE can't stand in arrays,
-# as the kernels have them.
+# plain one. Each target adds to the build time, with sanitizers minutes for some kernels. On Arm
+# NEON: vectors of SVE can't stand in arrays, as the kernels have them.
+set(STEREO_SGMP_OMIT_TARGETS "0" CACHE STRING "SIMD targets left out too: HWY_SSE4|HWY_AVX2 and so on")
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
   target_compile_definitions(stereo_sgmp_compile_options INTERFACE
     "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
 else()
-  target_compile_definitions(stereo_sgmp_compile_options INTERFACE HWY_DISABLED_TARGETS=HWY_SSSE3)
+  target_compile_definitions(stereo_sgmp_compile_options INTERFACE
+    "HWY_DISABLED_TARGETS=(HWY_SSSE3|${STEREO_SGMP_OMIT_TARGETS})")
 endif()
 if(STEREO_SGMP_WARNINGS_AS_ERRORS)
   target_compile_options(stereo_sgmp_compile_options INTERFACE -Werror)

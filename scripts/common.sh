@@ -152,6 +152,15 @@ build() {
   compile "$1" "${targets[@]}"
 }
 
+# Options of a sanitized build: linked quickly, and with the plain and the best SIMD target of this
+# machine alone, since a kernel of all of them takes minutes to compile.
+sanitized_options() {
+  local omit="HWY_SSE4|HWY_AVX3|HWY_AVX3_DL"
+  if grep -q -w avx512bw /proc/cpuinfo; then omit="HWY_SSE4|HWY_AVX2|HWY_AVX3_DL"; fi
+  printf '%s\n' -DCMAKE_BUILD_TYPE=RelWithDebInfo -DBUILD_SHARED_LIBS=ON \
+    "-DSTEREO_SGMP_OMIT_TARGETS=$omit"
+}
+
 # build_release OPTIONS...: the programs, without the tests, in build/.
 build_release() {
   build "$repo/build" -DCMAKE_BUILD_TYPE=Release -DSTEREO_SGMP_WARNINGS_AS_ERRORS=ON \
