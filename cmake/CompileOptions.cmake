@@ -26,9 +26,7 @@ add_library(stereo_sgmp_program_options INTERFACE)
 target_link_libraries(stereo_sgmp_program_options INTERFACE stereo_sgmp_compile_options)
 if(STEREO_SGMP_SANITIZE)
   target_compile_options(stereo_sgmp_program_options INTERFACE -O0)
-  # What null and object-size look for AddressSanitizer finds at the access; for the kernels they
-  # take a fifth of the build.
-  add_compile_options(-fsanitize=${STEREO_SGMP_SANITIZE} -fno-sanitize=null,object-size
-                      -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_compile_options(-fsanitize=${STEREO_SGMP_SANITIZE} -fno-omit-frame-pointer
+                      -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${STEREO_SGMP_SANITIZE})
 endif()
