@@ -9,19 +9,11 @@ namespace stereo_sgmp {
 namespace {
 
 #if HWY_ARCH_ARM
-// OpenCV's own sums are fused there, which rounds some gray levels the other way.
-constexpr double kLargestDifference = 1.0;
-constexpr double kMostDifferent = 0.01;  // of all
+// OpenCV's own sums are fused there, which rounds one value of some of these images the other way.
+constexpr double kMostLevels = 1.0;
 #else
-constexpr double kLargestDifference = 0.0;
-constexpr double kMostDifferent = 0.0;
+constexpr double kMostLevels = 0.0;
 #endif
-
-void ExpectSame(const cv::Mat& shrunk, const cv::Mat& expected) {
-  EXPECT_LE(cv::norm(shrunk, expected, cv::NORM_INF), kLargestDifference);
-  EXPECT_LE(cv::norm(shrunk, expected, cv::NORM_L1),
-            kMostDifferent * static_cast<double>(expected.total()) * expected.channels());
-}
 
 TEST(AreaShrinkerTest, EqualsOpenCvOnAnyNumberOfThreadsAndTarget) {
   ThreadPool one(1);
@@ -43,9 +35,8 @@ TEST(AreaShrinkerTest, EqualsOpenCvOnAnyNumberOfThreadsAndTarget) {
           cv::Mat shrunk;
           shrinker.Shrink(image, to, &shrunk, pool);
           hwy::SetSupportedTargetsForTest(0);
-          SCOPED_TRACE(::testing::Message()
-                       << from << " to " << to << " " << hwy::TargetName(target));
-          ExpectSame(shrunk, expected);
+          EXPECT_LE(cv::norm(shrunk, expected, cv::NORM_L1), kMostLevels)
+              << from << " to " << to << " " << hwy::TargetName(target);
         }
       }
     }
