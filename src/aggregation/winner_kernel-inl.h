@@ -34,7 +34,7 @@ class WinnerReader {
 
   HWY_INLINE void Read() {
     sums_.StoreLeast(least_);
-    for (int place = 0; place < sums_.count(); ++place) winner_[place] = FirstLeast(place);
+    StoreWinners();
     LookUpNeighbours();
     StoreSecond();
     s_.IsForward() ? OfferForward() : OfferBackward();
@@ -49,7 +49,27 @@ class WinnerReader {
   static constexpr T kMost = std::numeric_limits<T>::max();
   static constexpr int kPixels = StretchSums<T, Shape>::kPixels;
 
-  // Smallest index with the least excess.
+  // Whether all disparity indices fit a lane.
+  static constexpr bool kIndicesFit = Shape::kMost * kLanes<T> - 1 <= kMost;
+
+  // The smallest indices with the least excess.
+  HWY_INLINE void StoreWinners() {
+    if constexpr (kIndicesFit) {
+      const Tag<T> d;
+      HWY_ALIGN T winner[kPixels];
+      sums_.StoreLeastOf(
+          [&](int place, int v, Lanes<T> excess) STEREO_SGMP_INLINE_ATTR {
+            const auto is_least = hn::Eq(excess, hn::Set(d, least_[place]));
+            const Lanes<T> indices = hn::Iota(d, static_cast<T>(v * kLanes<T>));
+            return hn::IfThenElse(is_least, indices, hn::Set(d, kMost));
+          },
+          winner);
+      std::copy_n(winner, kPixels, winner_);
+    } else {
+      for (int place = 0; place < sums_.count(); ++place) winner_[place] = FirstLeast(place);
+    }
+  }
+
   HWY_INLINE int FirstLeast(int place) const {
     const Tag<T> d;
     const Lanes<T> least = hn::Set(d, least_[place]);
