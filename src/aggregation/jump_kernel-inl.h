@@ -23,27 +23,20 @@ namespace stereo_sgmp {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A message, which moves where it stands, since one pixel alone receives it, and what it costs not
-// to follow the jump; less than 0: no way around it.
+// A message, which moves where it stands, since one pixel alone receives it.
 template <class T>
 struct Journey {
   T* message;
   int disparities;      // of the pixel that it arrives at
   int all_disparities;  // of the volume: the pixel that it comes from may have more or fewer
-  int slack;
+  T price_of_staying;   // what it costs not to follow the jump
 };
-
-// The slack, or a price that nothing can pay where there is no way around the jump.
-template <class T>
-HWY_INLINE T PriceOfStaying(const Journey<T>& journey) {
-  return journey.slack < 0 ? PathSlot<T>::kUnreachable : static_cast<T>(journey.slack);
-}
 
 // Without a jump the message arrives where it is, for the price of the slack.
 template <class T>
 HWY_INLINE void Stay(const Journey<T>& journey, T* moved) {
   const Tag<T> d;
-  const Lanes<T> slack = hn::Set(d, PriceOfStaying(journey));
+  const Lanes<T> slack = hn::Set(d, journey.price_of_staying);
   for (int t = 0; t < journey.disparities; t += kLanes<T>) {
     hn::Store(hn::SaturatedAdd(hn::Load(d, journey.message + t), slack), d, moved + t);
   }
@@ -121,7 +114,7 @@ HWY_INLINE void ForVectors(int begin, int end, int jump, const Move& move) {
 template <class T>
 HWY_INLINE void MoveAll(int jump, const Journey<T>& journey) {
   const Tag<T> d;
-  const Lanes<T> price = hn::Set(d, PriceOfStaying(journey));
+  const Lanes<T> price = hn::Set(d, journey.price_of_staying);
   const auto move = [&](int t) STEREO_SGMP_INLINE_ATTR {
     T* const here = journey.message + t;
     const Lanes<T> stays = hn::SaturatedAdd(hn::Load(d, here), price);
@@ -135,7 +128,7 @@ template <class T, class Shape>
 HWY_INLINE void MoveCell(const Shape& shape, int begin, int end, int jump,
                          const Journey<T>& journey) {
   const Tag<T> d;
-  const Lanes<T> price = hn::Set(d, PriceOfStaying(journey));
+  const Lanes<T> price = hn::Set(d, journey.price_of_staying);
   const Lanes<T> unreachable = hn::Set(d, PathSlot<T>::kUnreachable);
   const auto move = [&](int t) STEREO_SGMP_INLINE_ATTR {
     T* const place = journey.message + t;
@@ -151,6 +144,38 @@ HWY_INLINE void MoveCell(const Shape& shape, int begin, int end, int jump,
                 std::min(journey.disparities, std::max(end, end + jump)), jump, move);
 }
 
+// Moves the disparities [begin, end) up or down by one. What arrives is shifted in registers: read
+// across vectors that have just been stored, it would have to wait for them.
+template <bool kUp, class T, class Shape>
+HWY_INLINE void MoveByOne(const Shape& shape, int begin, int end, const Journey<T>& journey) {
+  const Tag<T> d;
+  const Lanes<T> price = hn::Set(d, journey.price_of_staying);
+  const T* const from_begin = RangeMasks<T>::From(begin);
+  const T* const from_end = RangeMasks<T>::From(end);
+  struct Part {
+    Lanes<T> stays;
+    Lanes<T> leaves;
+  };
+  const auto part = [&](int v) STEREO_SGMP_INLINE_ATTR {
+    const int t = v * kLanes<T>;
+    const Lanes<T> message = hn::Load(d, journey.message + t);
+    const Lanes<T> moves = hn::AndNot(hn::LoadU(d, from_end + t), hn::LoadU(d, from_begin + t));
+    return Part{hn::SaturatedAdd(message, hn::And(moves, price)), hn::Or(message, hn::Not(moves))};
+  };
+  const int last = shape.Count() - 1;
+  Part here = part(kUp ? last : 0);
+  ForEach<Shape::kVectorCount>(shape.Count(), [&](int i) STEREO_SGMP_INLINE_ATTR {
+    const int v = kUp ? last - i : i;
+    // Behind the last vector stand disparities that only the predecessor reaches, or the pad.
+    const Part next = kUp && v == 0 ? Part{price, hn::Set(d, PathSlot<T>::kUnreachable)}
+                                    : part(kUp ? v - 1 : v + 1);
+    const Lanes<T> arrives = kUp ? FromBelow<T>(next.leaves, here.leaves)  //
+                                 : FromAbove<T>(here.leaves, next.leaves);
+    hn::Store(hn::Min(here.stays, arrives), d, journey.message + v * kLanes<T>);
+    here = next;
+  });
+}
+
 // Leaves of a message the least of M_r(p, d) over the d with d + j_p(d) = t, and of M_r(p, t) +
 // slack if slack >= 0, for every t.
 template <class T, class Shape>
@@ -162,6 +187,9 @@ HWY_INLINE void MoveMessage(const Shape& shape, const JumpRow& row, std::size_t 
   }
   const int begin = row.begin[entry];
   const int end = std::min<int>(row.end[entry], journey.all_disparities);
+  // The usual jumps.
+  if (jump == 1) return MoveByOne<true>(shape, begin, end, journey);
+  if (jump == -1) return MoveByOne<false>(shape, begin, end, journey);
   if (begin == 0 && end == journey.all_disparities) {
     MoveAll(jump, journey);
   } else {

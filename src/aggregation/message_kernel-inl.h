@@ -29,6 +29,7 @@ template <class T, int kVectors, bool kFull>
 struct PixelShape {
   static constexpr int kMaxDisparities = 2048;
   static constexpr int kVectorCount = kVectors;
+  static constexpr int kLaneCount = kVectors * kLanes<T>;  // 0 if it is not known
   static constexpr bool kIsFull = kFull;
   static constexpr int kMost =
       kVectors != kAnyVectors ? kVectors : (kMaxDisparities + kLanes<T> - 1) / kLanes<T>;
@@ -47,6 +48,7 @@ struct PixelShape {
   }
 
   int Count() const { return kVectors != kAnyVectors ? kVectors : vectors; }
+  int LaneCount() const { return Count() * kLanes<T>; }
 
   // The last vector with all bits set in the lanes beyond the last disparity.
   HWY_INLINE Lanes<T> WithTail(Lanes<T> last) const {
@@ -116,34 +118,34 @@ HWY_INLINE int AdvancePath(const Shape& shape, const PathStepState<T>& path,
   return hn::GetLane(smallest);
 }
 
-// Advances kPaths paths to one pixel. `sums` receives the sum of what their costs exceed their
-// least by (AddExcess), vector by vector. Returns the sum of min_d L_r.
-template <class T, int kPaths, class Shape>
-HWY_INLINE int AdvancePaths(const Shape& shape, const PathStepState<T> (&paths)[kPaths],
-                            const std::uint8_t* cost, Lanes<T> p1, Lanes<T>* sums) {
+// Advances kPaths paths to one pixel, whose steps `cursor` has. `sums` receives the sum of what
+// their costs exceed their least by (AddExcess), vector by vector. Returns the sum of min_d L_r.
+template <class T, int kPaths, class Shape, class Cursor>
+HWY_INLINE int AdvancePaths(const Shape& shape, const Cursor& cursor, const std::uint8_t* cost,
+                            Lanes<T> p1, Lanes<T>* sums) {
   static_assert(kPaths % 2 == 0, "paths are summed in pairs");
   const Tag<T> d;
   for (int v = 0; v < shape.Count(); ++v) sums[v] = hn::Zero(d);
   Lanes<T> one[Shape::kMost];
   Lanes<T> other[Shape::kMost];
   int minimum_sum = 0;
-  for (int i = 0; i < kPaths; i += 2) {
-    minimum_sum += AdvancePath<T>(shape, paths[i], cost, p1, one);
-    minimum_sum += AdvancePath<T>(shape, paths[i + 1], cost, p1, other);
+  ForEach<kPaths / 2>(kPaths / 2, [&](int pair) STEREO_SGMP_INLINE_ATTR {
+    minimum_sum += AdvancePath<T>(shape, cursor.Step(2 * pair), cost, p1, one);
+    minimum_sum += AdvancePath<T>(shape, cursor.Step(2 * pair + 1), cost, p1, other);
     for (int v = 0; v < shape.Count(); ++v) sums[v] = AddExcess<T>(sums[v], one[v], other[v]);
-  }
+  });
   return minimum_sum;
 }
 
 // Completes the messages by the disparities that the pixel does not reach: its neighbour may.
-template <class T, int kPaths, class Shape>
-HWY_INLINE void SendUnreached(const Shape& shape, const PathStepState<T> (&paths)[kPaths]) {
+template <class T, int kPaths, class Shape, class Cursor>
+HWY_INLINE void SendUnreached(const Shape& shape, const Cursor& cursor) {
   const Tag<T> d;
-  for (const PathStepState<T>& path : paths) {
+  ForEach<kPaths>(kPaths, [&](int path) STEREO_SGMP_INLINE_ATTR {
     for (int v = shape.Count(); v < shape.all_vectors; ++v) {
-      hn::Store(hn::Set(d, PathSlot<T>::kUnreachable), d, path.sent + v * kLanes<T>);
+      hn::Store(hn::Set(d, PathSlot<T>::kUnreachable), d, cursor.Sent(path) + v * kLanes<T>);
     }
-  }
+  });
 }
 
 }  // namespace HWY_NAMESPACE

@@ -39,51 +39,62 @@ inline constexpr int kSumStep = sizeof(T) == 1 ? 2 : 1;
 // u (in sweep order) has the place u & mask, so that a ring serves as well as a whole row.
 template <class T>
 struct StateLine {
-  T* slots = nullptr;
-  unsigned mask = 0;
-  std::size_t slot = 0;  // size of a slot
-
   static constexpr int kPaths = kPathsPerSweep - 1;  // all but kAcross
 
-  // The message of the first of its paths.
-  T* Pixel(int u) const {
-    return slots + static_cast<std::size_t>(static_cast<unsigned>(u) & mask) * (kPaths * slot) +
-           PathSlot<T>::kPad;
-  }
+  T* first = nullptr;  // of place 0, the message of the first of its paths
+  int mask = 0;
+  std::ptrdiff_t slot = 0;  // size of a slot
 
-  T* Message(int u, int path) const { return Pixel(u) + static_cast<std::size_t>(path - 1) * slot; }
+  // The message of the first of its paths.
+  T* Pixel(int u) const { return first + (u & mask) * (kPaths * slot); }
+
+  T* Message(int u, int path) const { return Pixel(u) + (path - 1) * slot; }
 };
 
-// Memory of a StateLine for `places` pixels: a ring, of a power of two, or a whole row.
+// Memory of a StateLine for `places` pixels: a ring, of a power of two, or a whole row. A whole row
+// has the start of paths before and behind it; in a ring that has to be set when it is needed.
 template <class T>
 class StateLineBuffer {
  public:
   void Create(int places, int disparities, int stride, bool is_ring) {
     const std::size_t slot = PathSlot<T>::Size(stride);
-    const std::size_t size = static_cast<std::size_t>(places) * StateLine<T>::kPaths * slot;
-    const bool same_layout =
-        slots_.size() == size && line_.slot == slot && disparities_ == disparities;
+    const std::size_t size = Slots(places) * slot;
+    const bool same_layout = slots_.size() == size &&
+                             line_.slot == static_cast<std::ptrdiff_t>(slot) &&
+                             disparities_ == disparities;
     disparities_ = disparities;
     has_moved_ = false;
     slots_.Resize(size);
     if (!same_layout) std::fill_n(slots_.data(), size, PathSlot<T>::kUnreachable);
-    line_.slots = slots_.data();
-    line_.mask = is_ring ? static_cast<unsigned>(places) - 1U : ~0U;
-    line_.slot = slot;
+    line_.first = slots_.data() + StateLine<T>::kPaths * slot + PathSlot<T>::kPad;
+    line_.mask = is_ring ? places - 1 : ~0;
+    line_.slot = static_cast<std::ptrdiff_t>(slot);
+    SetStart(-1);
+    SetStart(places);
   }
 
   const StateLine<T>& line() const { return line_; }
+
+  // Lets paths start at pixel u: their first message has zeros, which any P2 leaves as they are.
+  void SetStart(int u) {
+    for (int path = 1; path <= StateLine<T>::kPaths; ++path) {
+      std::fill_n(line_.Message(u, path), disparities_, T{0});
+    }
+  }
 
   // Whether the prior has moved its messages already: a sweep from here may be repeated.
   bool has_moved() const { return has_moved_; }
   void SetMoved() { has_moved_ = true; }
 
   static std::size_t Bytes(int places, int stride) {
-    return static_cast<std::size_t>(places) * StateLine<T>::kPaths * PathSlot<T>::Size(stride) *
-           sizeof(T);
+    return Slots(places) * PathSlot<T>::Size(stride) * sizeof(T);
   }
 
  private:
+  static std::size_t Slots(int places) {
+    return (static_cast<std::size_t>(places) + 2) * StateLine<T>::kPaths;
+  }
+
   AlignedBuffer<T> slots_;
   StateLine<T> line_;
   int disparities_ = 0;

@@ -8,8 +8,10 @@
 
 #include <hwy/highway.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 
 #include "aggregation/jump_kernel-inl.h"
@@ -28,7 +30,7 @@ inline constexpr int kFrom[kPathsPerSweep] = {0, 0, -1, 1};
 template <class T, class Shape>
 HWY_INLINE void MoveOnPath(const SweepStretch<T>& s, const Shape& shape, int path,
                            std::ptrdiff_t entry, T* message) {
-  const Journey<T> journey{message, s.disparities, s.all_disparities, s.jump_slack};
+  const Journey<T> journey{message, s.disparities, s.all_disparities, s.price_of_staying};
   MoveMessage<T>(shape, (*s.jumps)[static_cast<std::size_t>(path)], static_cast<std::size_t>(entry),
                  journey, s.moved + PathSlot<T>::kPad);
 }
@@ -38,7 +40,7 @@ HWY_INLINE void MoveOnPath(const SweepStretch<T>& s, const Shape& shape, int pat
 HWY_INLINE std::uint64_t MovesFromAbove(const std::uint8_t* moves, int count) {
   static_assert(kAcross == 0, "the lowest bit of each byte is not from above");
   std::uint64_t bytes = 0;
-  for (int i = 0; i < 8; ++i) bytes |= std::uint64_t{moves[i]} << (8 * i);
+  std::memcpy(&bytes, moves, sizeof(bytes));  // byte 0 comes lowest on all processors of ours
   if (count < 8) bytes &= (std::uint64_t{1} << (8 * count)) - 1;
   return bytes & ~std::uint64_t{0x0101010101010101};
 }
@@ -64,33 +66,48 @@ HWY_INLINE void MoveFromAbove(const SweepStretch<T>& s, const Shape& shape) {
   }
 }
 
-// Goes along the pixels of a stretch.
-template <class T, int kPaths, class Shape>
+// Goes along the pixels of a stretch. What it needs of that is kept here, since messages that are
+// stored could change it for all that the compiler knows; and each step is looked up when it is
+// taken, since all at once don't fit the registers.
+template <class T, class Shape>
 class StepCursor {
  public:
   StepCursor(const SweepStretch<T>& s, const Shape& shape)
-      : s_(s), shape_(shape), before_(s.across->before), here_(s.across->here) {}
+      : s_(s),
+        shape_(shape),
+        above_(s.above),
+        current_(s.current),
+        p2_(s.p2),
+        contrast_(s.contrast),
+        moves_(s.moves == nullptr ? nullptr : s.moves + s.first_jump),
+        before_(s.across->before),
+        here_(s.across->here),
+        straight_on_(above_.Pixel(s.u_begin - 1)),
+        ahead_(above_.Pixel(s.u_begin)) {}
 
-  // The steps to pixel u, which stands `offset` pixels from the first one.
-  HWY_INLINE void Prepare(int u, std::ptrdiff_t offset, PathStepState<T> (&steps)[kPaths]) const {
-    T* sent = s_.current.Pixel(u);
-    steps[kAcross].sent = here_;
-    for (int path = kAcross + 1; path < kPaths; ++path) {
-      steps[path].sent = sent + (path - 1) * static_cast<std::ptrdiff_t>(s_.current.slot);
-    }
-    if (HWY_LIKELY(s_.has_above && u > 0 && u + 1 < s_.width)) {
-      for (int path = 0; path < kPaths; ++path) Receive(path, u, offset, &steps[path]);
-    } else {
-      ReceiveAtEdge(u, offset, steps);
-    }
-    if (s_.moves == nullptr) return;
-    const std::ptrdiff_t entry = s_.first_jump + offset;
-    if ((s_.moves[entry] >> kAcross & 1) != 0 && u > 0) {
-      MoveOnPath<T>(s_, shape_, kAcross, entry, before_);
+  // Goes on to pixel u, which stands `offset` pixels from the first one.
+  HWY_INLINE void Enter(int u, std::ptrdiff_t offset) {
+    behind_ = straight_on_;
+    straight_on_ = ahead_;
+    ahead_ = above_.Pixel(u + 1);
+    sent_ = current_.Pixel(u);
+    offset_ = offset;
+    if (moves_ != nullptr && (moves_[offset] >> kAcross & 1) != 0 && u > 0) {
+      MoveOnPath<T>(s_, shape_, kAcross, s_.first_jump + offset, before_);
     }
   }
 
-  HWY_INLINE void Advance() { std::swap(before_, here_); }
+  // The step of one path to the pixel.
+  HWY_INLINE PathStepState<T> Step(int path) const {
+    return {Received(path), p2_ + contrast_[static_cast<std::size_t>(path)][offset_], Sent(path)};
+  }
+
+  // Where the message goes that one path sends on from the pixel.
+  HWY_INLINE T* Sent(int path) const {
+    return path == kAcross ? here_ : sent_ + (path - 1) * current_.slot;
+  }
+
+  HWY_INLINE void Leave() { std::swap(before_, here_); }
 
   // Leaves the message of the last pixel to the next stretch.
   HWY_INLINE void Finish() const {
@@ -99,29 +116,26 @@ class StepCursor {
   }
 
  private:
-  HWY_INLINE void Receive(int path, int u, std::ptrdiff_t offset, PathStepState<T>* step) const {
-    step->received = path == kAcross ? before_ : s_.above.Message(u + kFrom[path], path);
-    step->p2 = s_.p2 + s_.contrast[static_cast<std::size_t>(path)][offset];
-  }
-
-  // Paths start with a message of zeros, which any P2 leaves as it is.
-  void ReceiveAtEdge(int u, std::ptrdiff_t offset, PathStepState<T> (&steps)[kPaths]) const {
-    for (int path = 0; path < kPaths; ++path) {
-      const int from = u + kFrom[path];
-      const bool starts = path == kAcross ? u == 0 : !s_.has_above || from < 0 || from >= s_.width;
-      if (starts) {
-        steps[path].received = s_.start;
-        steps[path].p2 = s_.p2;
-      } else {
-        Receive(path, u, offset, &steps[path]);
-      }
-    }
+  HWY_INLINE const T* Received(int path) const {
+    if (path == kAcross) return before_;
+    const T* const from[] = {behind_, straight_on_, ahead_};
+    return from[kFrom[path] + 1] + (path - 1) * above_.slot;
   }
 
   const SweepStretch<T>& s_;
   const Shape& shape_;
-  T* before_;
+  const StateLine<T> above_;
+  const StateLine<T> current_;
+  const T* const p2_;
+  const std::array<const std::uint8_t*, kPathsPerSweep> contrast_;
+  const std::uint8_t* const moves_;
+  T* before_;  // on the path along the row, as AcrossState has them
   T* here_;
+  T* behind_ = nullptr;  // of the row above, the first messages of the pixels around
+  T* straight_on_;
+  T* ahead_;
+  T* sent_ = nullptr;
+  std::ptrdiff_t offset_ = 0;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -8,7 +8,7 @@
 namespace stereo_sgmp {
 namespace {
 
-constexpr int kRing = 32;       // power of two, >= SweepStretch::kMaxPixels + 2
+constexpr int kRing = 32;       // power of two, >= SweepStretch::kMaxPixels + 3
 constexpr int kRightParts = 3;  // RightRow: S, and an index of two parts
 // Two for each row, for the path across, and one for messages on their way.
 constexpr std::size_t kSlots = 2 * SweepWorkspace<std::uint8_t>::kRows + 1;
@@ -38,7 +38,8 @@ void SweepWorkspace<T>::Prepare(const VolumeShape& shape) {
 
 template <class T>
 std::size_t Sweep<T>::Memory(const VolumeShape& shape) {
-  return StateLineBuffer<T>::Bytes(shape.width, shape.Stride());
+  const int stride = shape.Stride();
+  return StateLineBuffer<T>::Bytes(shape.width, stride) + StateLineBuffer<T>::Bytes(1, stride);
 }
 
 template <class T>
@@ -53,8 +54,7 @@ void Sweep<T>::Start(const SweepJob<T>& job, StateLineBuffer<T>* before,
   before_has_moved_ = before != nullptr && before->has_moved();
   if (before != nullptr && job.prior != nullptr) before->SetMoved();
   if (after != nullptr) after->Create(shape_.width, shape_.disparities, stride, false);
-  start_.Resize(PathSlot<T>::Size(stride));
-  std::fill_n(start_.data(), start_.size(), T{0});
+  start_.Create(1, shape_.disparities, stride, true);
   for (std::size_t i = 0; i < p2_.size(); ++i) p2_[i] = static_cast<T>(job.penalties->p2[i]);
   groups_.resize(static_cast<std::size_t>(Rows()));
   group_count_ = 0;
@@ -94,6 +94,7 @@ void Sweep<T>::RunGroup(int group, Workspace* workspace) {
                  &workspace->jumps[static_cast<std::size_t>(row)]);
       }
       RunStretch(place, u_begin, u_end, workspace);
+      if (u_end == width) EndRow(place, workspace);
       if (place.IsLast()) progress_.Publish(group, u_end);
     }
   }
@@ -103,9 +104,11 @@ template <class T>
 void Sweep<T>::StartRow(const RowPlace& place, Workspace* workspace) const {
   const auto k = static_cast<std::size_t>(place.row);
   const std::size_t slot = PathSlot<T>::Size(shape_.Stride());
+  if (!place.IsLast()) workspace->rings[k].SetStart(-1);
   AcrossState<T>& across = workspace->across[k];
   across.before = workspace->slots.data() + 2 * k * slot + PathSlot<T>::kPad;
   across.here = across.before + slot;
+  std::fill_n(across.before, shape_.disparities, T{0});  // paths start there
   SweepStretch<T>& s = workspace->stretches[k];
   s = SweepStretch<T>();
   s.kind = place.kind;
@@ -114,23 +117,29 @@ void Sweep<T>::StartRow(const RowPlace& place, Workspace* workspace) const {
   s.all_disparities = shape_.disparities;
   s.stride = shape_.Stride();
   s.x_step = backward_ ? -1 : 1;
-  s.has_above = place.y != (backward_ ? shape_.height - 1 : 0);
+  s.has_above = !IsFirstOfImage(place);
   s.above_has_moved = IsFirstOfJob(place) && before_has_moved_;
   s.above = Above(place, *workspace);
   s.current = Current(place, *workspace);
   s.across = &across;
   s.p1 = static_cast<T>(job_.penalties->p1);
   s.p2 = p2_.data();
-  s.start = start_.data() + PathSlot<T>::kPad;
   s.excess = workspace->excess.data();
   s.unit = static_cast<std::uint16_t>(job_.costs->unit());
   if (job_.prior != nullptr) {
     s.jumps = &workspace->jumps[k].rows;
     s.moves = workspace->jumps[k].moves.data();
-    s.jump_slack = job_.penalties->slack;
+    const int slack = job_.penalties->slack;
+    if (slack >= 0) s.price_of_staying = static_cast<T>(slack);
     s.moved = workspace->slots.data() + 2 * Workspace::kRows * slot;
   }
   if (place.kind == SweepKind::kLast) StartWinners(place.y, &workspace->right[k], &s);
+}
+
+template <class T>
+void Sweep<T>::EndRow(const RowPlace& place, Workspace* workspace) const {
+  if (place.IsLast()) return;
+  workspace->rings[static_cast<std::size_t>(place.row)].SetStart(shape_.width);
 }
 
 template <class T>
@@ -146,9 +155,10 @@ void Sweep<T>::StartWinners(int y, AlignedBuffer<T>* right, SweepStretch<T>* str
 
 template <class T>
 StateLine<T> Sweep<T>::Above(const RowPlace& place, const Workspace& workspace) const {
+  if (IsFirstOfImage(place)) return start_.line();
   if (place.row > 0) return workspace.rings[static_cast<std::size_t>(place.row) - 1].line();
   if (place.group > 0) return boundary_.line();
-  return before_ != nullptr ? before_->line() : StateLine<T>();
+  return before_->line();
 }
 
 template <class T>

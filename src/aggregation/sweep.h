@@ -114,9 +114,14 @@ class Sweep {
   RowPlace PlaceOf(int group, int row) const;
   // Prepares what is the same for all stretches of a row.
   void StartRow(const RowPlace& place, Workspace* workspace) const;
+  // Leaves the start of paths behind the last pixel.
+  void EndRow(const RowPlace& place, Workspace* workspace) const;
   void StartWinners(int y, AlignedBuffer<T>* right, SweepStretch<T>* stretch) const;
   void RunStretch(const RowPlace& place, int u_begin, int u_end, Workspace* workspace) const;
   void RunPart(const RowPlace& place, int u_begin, int u_end, Workspace* workspace) const;
+  bool IsFirstOfImage(const RowPlace& place) const {
+    return place.y == (backward_ ? shape_.height - 1 : 0);
+  }
   bool IsFirstOfJob(const RowPlace& place) const { return place.group == 0 && place.row == 0; }
   StateLine<T> Above(const RowPlace& place, const Workspace& workspace) const;
   StateLine<T> Current(const RowPlace& place, const Workspace& workspace) const;
@@ -135,7 +140,7 @@ class Sweep {
   VolumeShape shape_;
   std::array<T, 256> p2_{};
   StateLineBuffer<T> boundary_;  // from each group to the next
-  AlignedBuffer<T> start_;
+  StateLineBuffer<T> start_;     // what the first row of the image receives
   std::vector<Group> groups_;
   int group_count_ = 0;
   int next_row_ = 0;

@@ -26,10 +26,12 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // What is read once, in chunks of a stretch, is more than the hardware fetches ahead alone.
-template <class T>
-HWY_INLINE void PrefetchPixel(const T* pixel, std::ptrdiff_t stride) {
-  constexpr std::ptrdiff_t kCacheLine = 64 / sizeof(T);
-  for (std::ptrdiff_t k = 0; k < stride; k += kCacheLine) hwy::Prefetch(pixel + k);
+template <class Shape, class T>
+HWY_INLINE void PrefetchPixel(const Shape& shape, const T* pixel) {
+  constexpr int kLine = 64 / sizeof(T);  // of the cache
+  constexpr int kLines = (Shape::kLaneCount + kLine - 1) / kLine;
+  ForEach<kLines>((shape.LaneCount() + kLine - 1) / kLine,
+                  [&](int i) STEREO_SGMP_INLINE_ATTR { hwy::Prefetch(pixel + i * kLine); });
 }
 
 // Of a pixel from the first one of its stretch, in pixels of the image.
@@ -42,19 +44,24 @@ HWY_INLINE void ForEachPixel(const SweepStretch<T>& s, const Shape& shape, const
   constexpr int kAhead = 8;
   const Lanes<T> p1 = hn::Set(Tag<T>(), s.p1);
   if (s.moves != nullptr && s.has_above && !s.above_has_moved) MoveFromAbove(s, shape);
-  StepCursor<T, kPaths, Shape> cursor(s, shape);
-  for (int u = s.u_begin; u < s.u_end; ++u) {
-    const Offset offset = static_cast<Offset>(u - s.u_begin) * s.x_step;
-    if (s.has_stored_costs) {
-      PrefetchPixel(s.cost + (offset + kAhead * s.x_step) * s.stride, s.stride);
-    }
-    PathStepState<T> paths[kPaths];
-    cursor.Prepare(u, offset, paths);
+  StepCursor<T, Shape> cursor(s, shape);
+  // Kept here for the same reason as what StepCursor keeps.
+  const int u_end = s.u_end;
+  const Offset x_step = s.x_step;
+  const bool has_stored_costs = s.has_stored_costs;
+  const std::ptrdiff_t cost_step = x_step * s.stride;
+  const std::uint8_t* cost = s.cost;
+  Offset offset = 0;
+  for (int u = s.u_begin; u < u_end; ++u) {
+    if (has_stored_costs) PrefetchPixel(shape, cost + kAhead * cost_step);
+    cursor.Enter(u, offset);
     Lanes<T> half[Shape::kMost];
-    const int minima = AdvancePaths<T, kPaths>(shape, paths, s.cost + offset * s.stride, p1, half);
-    if (HWY_UNLIKELY(shape.Count() < shape.all_vectors)) SendUnreached(shape, paths);
-    cursor.Advance();
+    const int minima = AdvancePaths<T, kPaths>(shape, cursor, cost, p1, half);
+    if (HWY_UNLIKELY(shape.Count() < shape.all_vectors)) SendUnreached<T, kPaths>(shape, cursor);
+    cursor.Leave();
     finish(offset, half, minima);
+    cost += cost_step;
+    offset += x_step;
   }
   cursor.Finish();
 }
@@ -62,10 +69,13 @@ HWY_INLINE void ForEachPixel(const SweepStretch<T>& s, const Shape& shape, const
 template <class T, int kPaths, class Shape>
 void First(const SweepStretch<T>& s) {
   const Shape shape(s.disparities, s.all_disparities);
+  T* const first = s.sum;
+  const std::ptrdiff_t stride = s.stride;
+  std::uint16_t* const minimum_sum = s.minimum_sum;
   const auto store = [&](Offset offset, const Lanes<T>* half, int minima) STEREO_SGMP_INLINE_ATTR {
-    T* sum = StoredSum(s, offset);
+    T* sum = first - offset * stride;
     for (int v = 0; v < shape.Count(); ++v) hn::Stream(half[v], Tag<T>(), sum + v * kLanes<T>);
-    s.minimum_sum[offset] = static_cast<std::uint16_t>(minima);
+    minimum_sum[offset] = static_cast<std::uint16_t>(minima);
   };
   ForEachPixel<T, kPaths>(s, shape, store);
 }
@@ -82,8 +92,10 @@ template <class T, int kPaths, class Shape>
 HWY_INLINE void CompleteSums(const SweepStretch<T>& s, const Shape& shape,
                              StretchSums<T, Shape>* sums) {
   constexpr int kAhead = 4;
+  const T* const ahead = StoredSum(s, kAhead * s.x_step);
+  const std::ptrdiff_t stride = s.stride;
   const auto take = [&](Offset offset, const Lanes<T>* half, int minima) STEREO_SGMP_INLINE_ATTR {
-    PrefetchPixel(StoredSum(s, offset + kAhead * s.x_step), s.stride);
+    PrefetchPixel(shape, ahead - offset * stride);
     sums->Take(offset, half, minima);
   };
   hwy::Prefetch(s.minimum_sum - sums->start());

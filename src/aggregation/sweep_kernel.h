@@ -69,9 +69,9 @@ struct SweepStretch {
   T* sum = nullptr;
   std::uint16_t* minimum_sum = nullptr;  // sum over r of min_d L_r, of the pixel u_begin
 
-  bool has_above = false;        // false on the first row of the image
+  bool has_above = false;        // false on the first row of the image, where `above` are starts
   bool above_has_moved = false;  // the prior has moved what comes from there
-  StateLine<T> above;
+  StateLine<T> above;            // also of the pixels before the first and behind the last
   StateLine<T> current;
   AcrossState<T>* across = nullptr;
 
@@ -83,11 +83,11 @@ struct SweepStretch {
   const std::uint8_t* moves = nullptr;
   const std::array<JumpRow, kPathsPerSweep>* jumps = nullptr;
   int first_jump = 0;
-  int jump_slack = -1;
-  // Scratch: a slot for a message on its way, one of zeros for paths that start, room for what S
-  // of kMaxPixels pixels exceeds its base by.
+  // What it costs not to follow a jump: more than any path, where there is no way around it.
+  T price_of_staying = PathSlot<T>::kUnreachable;
+  // Scratch: a slot for a message on its way, room for what S of kMaxPixels pixels exceeds its base
+  // by.
   T* moved = nullptr;
-  const T* start = nullptr;
   T* excess = nullptr;
 
   std::uint16_t unit = 1;             // of the costs; what is read off S is multiplied by it
