@@ -179,7 +179,7 @@ HWY_INLINE void MoveByOne(const Shape& shape, int begin, int end, const Journey<
 // Leaves of a message the least of M_r(p, d) over the d with d + j_p(d) = t, and of M_r(p, t) +
 // slack if slack >= 0, for every t.
 template <class T, class Shape>
-HWY_INLINE void MoveMessage(const Shape& shape, const JumpRow& row, std::size_t entry,
+HWY_NOINLINE void MoveMessage(const Shape& shape, const JumpRow& row, std::size_t entry,
                             const Journey<T>& journey, T* scratch) {
   const int jump = row.jump[entry];
   if (HWY_UNLIKELY(jump < -PathSlot<T>::kPad || jump > PathSlot<T>::kPad)) {
