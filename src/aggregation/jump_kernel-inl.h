@@ -150,6 +150,7 @@ template <bool kUp, class T, class Shape>
 HWY_INLINE void MoveByOne(const Shape& shape, int begin, int end, const Journey<T>& journey) {
   const Tag<T> d;
   const Lanes<T> price = hn::Set(d, journey.price_of_staying);
+  const Lanes<T> unreachable = hn::Set(d, PathSlot<T>::kUnreachable);
   const T* const from_begin = RangeMasks<T>::From(begin);
   const T* const from_end = RangeMasks<T>::From(end);
   struct Part {
@@ -167,10 +168,9 @@ HWY_INLINE void MoveByOne(const Shape& shape, int begin, int end, const Journey<
   ForEach<Shape::kVectorCount>(shape.Count(), [&](int i) STEREO_SGMP_INLINE_ATTR {
     const int v = kUp ? last - i : i;
     // Behind the last vector stand disparities that only the predecessor reaches, or the pad.
-    const Part next = kUp && v == 0 ? Part{price, hn::Set(d, PathSlot<T>::kUnreachable)}
-                                    : part(kUp ? v - 1 : v + 1);
-    const Lanes<T> arrives = kUp ? FromBelow<T>(next.leaves, here.leaves)  //
-                                 : FromAbove<T>(here.leaves, next.leaves);
+    const Part next = kUp && v == 0 ? Part{unreachable, unreachable} : part(kUp ? v - 1 : v + 1);
+    const Lanes<T> arrives =
+        kUp ? FromBelow<T>(next.leaves, here.leaves) : FromAbove<T>(here.leaves, next.leaves);
     hn::Store(hn::Min(here.stays, arrives), d, journey.message + v * kLanes<T>);
     here = next;
   });
@@ -180,7 +180,7 @@ HWY_INLINE void MoveByOne(const Shape& shape, int begin, int end, const Journey<
 // slack if slack >= 0, for every t.
 template <class T, class Shape>
 HWY_NOINLINE void MoveMessage(const Shape& shape, const JumpRow& row, std::size_t entry,
-                            const Journey<T>& journey, T* scratch) {
+                              const Journey<T>& journey, T* scratch) {
   const int jump = row.jump[entry];
   if (HWY_UNLIKELY(jump < -PathSlot<T>::kPad || jump > PathSlot<T>::kPad)) {
     return MoveSegments(row, entry, journey, scratch);

@@ -11,7 +11,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <utility>
 
 #include "aggregation/jump_kernel-inl.h"
@@ -40,7 +39,7 @@ HWY_INLINE void MoveOnPath(const SweepStretch<T>& s, const Shape& shape, int pat
 HWY_INLINE std::uint64_t MovesFromAbove(const std::uint8_t* moves, int count) {
   static_assert(kAcross == 0, "the lowest bit of each byte is not from above");
   std::uint64_t bytes = 0;
-  std::memcpy(&bytes, moves, sizeof(bytes));  // byte 0 comes lowest on all processors of ours
+  for (int i = 0; i < 8; ++i) bytes |= std::uint64_t{moves[i]} << (8 * i);
   if (count < 8) bytes &= (std::uint64_t{1} << (8 * count)) - 1;
   return bytes & ~std::uint64_t{0x0101010101010101};
 }
