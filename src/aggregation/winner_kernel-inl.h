@@ -70,6 +70,7 @@ class WinnerReader {
     }
   }
 
+  // The smallest index of one place, where indices need more than a lane.
   HWY_INLINE int FirstLeast(int place) const {
     const Tag<T> d;
     const Lanes<T> least = hn::Set(d, least_[place]);
