@@ -110,23 +110,9 @@ HWY_INLINE void ForVectors(int begin, int end, int jump, const Move& move) {
   }
 }
 
-// Moves all disparities by up to PathSlot::kPad.
-template <class T>
-HWY_INLINE void MoveAll(int jump, const Journey<T>& journey) {
-  const Tag<T> d;
-  const Lanes<T> price = hn::Set(d, journey.price_of_staying);
-  const auto move = [&](int t) STEREO_SGMP_INLINE_ATTR {
-    T* const here = journey.message + t;
-    const Lanes<T> stays = hn::SaturatedAdd(hn::Load(d, here), price);
-    hn::Store(hn::Min(stays, hn::LoadU(d, here - jump)), d, here);
-  };
-  ForVectors<T>(0, journey.disparities, jump, move);
-}
-
 // Moves the disparities [begin, end) by up to PathSlot::kPad.
-template <class T, class Shape>
-HWY_INLINE void MoveCell(const Shape& shape, int begin, int end, int jump,
-                         const Journey<T>& journey) {
+template <class T>
+HWY_INLINE void MoveCell(int begin, int end, int jump, const Journey<T>& journey) {
   const Tag<T> d;
   const Lanes<T> price = hn::Set(d, journey.price_of_staying);
   const Lanes<T> unreachable = hn::Set(d, PathSlot<T>::kUnreachable);
@@ -139,17 +125,26 @@ HWY_INLINE void MoveCell(const Shape& shape, int begin, int end, int jump,
     const Lanes<T> arrives = hn::IfThenElse(comes, hn::LoadU(d, place - jump), unreachable);
     hn::Store(hn::Min(stays, arrives), d, place);
   };
-  if (shape.Count() == 1) return move(0);
   ForVectors<T>(std::max(0, std::min(begin, begin + jump)),
                 std::min(journey.disparities, std::max(end, end + jump)), jump, move);
+}
+
+// As MoveMessage; the jump is neither 1 nor -1.
+template <class T>
+HWY_NOINLINE void MoveFar(const JumpRow& row, std::size_t entry, const Journey<T>& journey,
+                          T* scratch) {
+  const int jump = row.jump[entry];
+  if (jump < -PathSlot<T>::kPad || jump > PathSlot<T>::kPad) {
+    return MoveSegments(row, entry, journey, scratch);
+  }
+  MoveCell(row.begin[entry], std::min<int>(row.end[entry], journey.all_disparities), jump, journey);
 }
 
 // Moves the disparities [begin, end) up or down by one. What arrives is shifted in registers: read
 // across vectors that have just been stored, it would have to wait for them.
 template <bool kUp, class T, class Shape>
-HWY_INLINE void MoveByOne(const Shape& shape, int begin, int end, const Journey<T>& journey) {
+HWY_INLINE void MoveByOne(const Shape& shape, int begin, int end, Lanes<T> price, T* message) {
   const Tag<T> d;
-  const Lanes<T> price = hn::Set(d, journey.price_of_staying);
   const Lanes<T> unreachable = hn::Set(d, PathSlot<T>::kUnreachable);
   const T* const from_begin = RangeMasks<T>::From(begin);
   const T* const from_end = RangeMasks<T>::From(end);
@@ -159,41 +154,39 @@ HWY_INLINE void MoveByOne(const Shape& shape, int begin, int end, const Journey<
   };
   const auto part = [&](int v) STEREO_SGMP_INLINE_ATTR {
     const int t = v * kLanes<T>;
-    const Lanes<T> message = hn::Load(d, journey.message + t);
+    const Lanes<T> there = hn::Load(d, message + t);
     const Lanes<T> moves = hn::AndNot(hn::LoadU(d, from_end + t), hn::LoadU(d, from_begin + t));
-    return Part{hn::SaturatedAdd(message, hn::And(moves, price)), hn::Or(message, hn::Not(moves))};
+    return Part{hn::SaturatedAdd(there, hn::And(moves, price)), hn::Or(there, hn::Not(moves))};
   };
   const int last = shape.Count() - 1;
+  // Behind the last vector may stand disparities that only the predecessor reaches.
+  const bool is_all = shape.Count() == shape.all_vectors;
   Part here = part(kUp ? last : 0);
   ForEach<Shape::kVectorCount>(shape.Count(), [&](int i) STEREO_SGMP_INLINE_ATTR {
     const int v = kUp ? last - i : i;
-    // Behind the last vector stand disparities that only the predecessor reaches, or the pad.
-    const Part next = kUp && v == 0 ? Part{unreachable, unreachable} : part(kUp ? v - 1 : v + 1);
+    const bool has_next = kUp ? v > 0 : v < last || !is_all;
+    const Part next = has_next ? part(kUp ? v - 1 : v + 1) : Part{unreachable, unreachable};
     const Lanes<T> arrives =
         kUp ? FromBelow<T>(next.leaves, here.leaves) : FromAbove<T>(here.leaves, next.leaves);
-    hn::Store(hn::Min(here.stays, arrives), d, journey.message + v * kLanes<T>);
+    hn::Store(hn::Min(here.stays, arrives), d, message + v * kLanes<T>);
     here = next;
   });
 }
 
-// Leaves of a message the least of M_r(p, d) over the d with d + j_p(d) = t, and of M_r(p, t) +
-// slack if slack >= 0, for every t.
+// Leaves of a message the least of M_r(p, d) over the d with d + j_p(d) = t, and of M_r(p, t) + the
+// price of staying, for every t. `scratch` has room for a message.
 template <class T, class Shape>
-HWY_NOINLINE void MoveMessage(const Shape& shape, const JumpRow& row, std::size_t entry,
-                              const Journey<T>& journey, T* scratch) {
+HWY_INLINE void MoveMessage(const Shape& shape, const JumpRow& row, std::size_t entry,
+                            const Journey<T>& journey, T* scratch) {
   const int jump = row.jump[entry];
-  if (HWY_UNLIKELY(jump < -PathSlot<T>::kPad || jump > PathSlot<T>::kPad)) {
-    return MoveSegments(row, entry, journey, scratch);
-  }
+  if (HWY_UNLIKELY(jump != 1 && jump != -1)) return MoveFar(row, entry, journey, scratch);
   const int begin = row.begin[entry];
   const int end = std::min<int>(row.end[entry], journey.all_disparities);
-  // The usual jumps.
-  if (jump == 1) return MoveByOne<true>(shape, begin, end, journey);
-  if (jump == -1) return MoveByOne<false>(shape, begin, end, journey);
-  if (begin == 0 && end == journey.all_disparities) {
-    MoveAll(jump, journey);
+  const Lanes<T> price = hn::Set(Tag<T>(), journey.price_of_staying);
+  if (jump > 0) {
+    MoveByOne<true>(shape, begin, end, price, journey.message);
   } else {
-    MoveCell(shape, begin, end, jump, journey);
+    MoveByOne<false>(shape, begin, end, price, journey.message);
   }
 }
 

@@ -34,32 +34,53 @@ HWY_INLINE void MoveOnPath(const SweepStretch<T>& s, const Shape& shape, int pat
                  journey, s.moved + PathSlot<T>::kPad);
 }
 
-// Which of `count` pixels the prior moves the messages from the row above for: bit `path` of byte i
-// for pixel i, of up to 8 pixels.
-HWY_INLINE std::uint64_t MovesFromAbove(const std::uint8_t* moves, int count) {
-  static_assert(kAcross == 0, "the lowest bit of each byte is not from above");
+// The message along the row, which most pixels receive as it is.
+template <class T, class Shape>
+HWY_NOINLINE void MoveAcross(const SweepStretch<T>& s, const Shape& shape, std::ptrdiff_t entry,
+                             T* message) {
+  MoveOnPath<T>(s, shape, kAcross, entry, message);
+}
+
+// The pixels that the prior moves the messages of one path to: bit i for entry i of `moves`, of up
+// to 8 entries.
+HWY_INLINE std::uint32_t MovesOnPath(const std::uint8_t* moves, int path) {
   std::uint64_t bytes = 0;
   for (int i = 0; i < 8; ++i) bytes |= std::uint64_t{moves[i]} << (8 * i);
-  if (count < 8) bytes &= (std::uint64_t{1} << (8 * count)) - 1;
-  return bytes & ~std::uint64_t{0x0101010101010101};
+  // Gathers the lowest bits of the bytes in the highest byte.
+  const std::uint64_t lowest = (bytes >> path) & 0x0101010101010101;
+  return static_cast<std::uint32_t>((lowest * 0x0102040810204080) >> 56);
+}
+
+// Bits of the pixels of a stretch, in the order of the image, that receive a message on the path
+// from a pixel of the row above.
+template <class T>
+HWY_INLINE std::uint32_t ReceivingPixels(const SweepStretch<T>& s, int path) {
+  const int count = s.Count();
+  const std::uint32_t all = (std::uint32_t{1} << count) - 1;
+  const auto without = [&](int u) {
+    const int place = s.IsForward() ? u - s.u_begin : s.u_end - 1 - u;
+    return all & ~(std::uint32_t{1} << place);
+  };
+  if (kFrom[path] < 0 && s.u_begin == 0) return without(0);
+  if (kFrom[path] > 0 && s.u_end == s.width) return without(s.width - 1);
+  return all;
 }
 
 // Moves what the pixels receive from the row above, before any of them does: so the moves need
 // not wait for each other, nor for a guess which pixels have one.
 template <class T, class Shape>
-HWY_INLINE void MoveFromAbove(const SweepStretch<T>& s, const Shape& shape) {
-  const int count = s.Count();
+HWY_NOINLINE void MoveFromAbove(const SweepStretch<T>& s, const Shape& shape) {
+  static_assert(SweepStretch<T>::kMaxPixels <= 16, "two parts of 8 pixels");
   // Of the first pixel in the order of the image, its entry and its place in the sweep.
-  const std::ptrdiff_t first_entry = s.IsForward() ? s.first_jump : s.first_jump - (count - 1);
+  const std::ptrdiff_t first_entry = s.IsForward() ? s.first_jump : s.first_jump - (s.Count() - 1);
   const int first = s.IsForward() ? s.u_begin : s.u_end - 1;
-  for (int begin = 0; begin < count; begin += 8) {
-    std::uint64_t moves = MovesFromAbove(s.moves + first_entry + begin, count - begin);
-    for (; moves != 0; moves &= moves - 1) {
-      const int bit = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(moves));
-      const int path = bit % 8;
-      const int place = begin + bit / 8;
+  const std::uint8_t* const entries = s.moves + first_entry;
+  for (int path = kAcross + 1; path < s.paths; ++path) {
+    std::uint32_t pixels = MovesOnPath(entries, path) | (MovesOnPath(entries + 8, path) << 8);
+    pixels &= ReceivingPixels(s, path);
+    for (; pixels != 0; pixels &= pixels - 1) {
+      const int place = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(pixels));
       const int from = first + s.x_step * place + kFrom[path];
-      if (HWY_UNLIKELY(from < 0 || from >= s.width)) continue;
       MoveOnPath<T>(s, shape, path, first_entry + place, s.above.Message(from, path));
     }
   }
@@ -92,7 +113,7 @@ class StepCursor {
     sent_ = current_.Pixel(u);
     offset_ = offset;
     if (moves_ != nullptr && (moves_[offset] >> kAcross & 1) != 0 && u > 0) {
-      MoveOnPath<T>(s_, shape_, kAcross, s_.first_jump + offset, before_);
+      MoveAcross<T>(s_, shape_, s_.first_jump + offset, before_);
     }
   }
 
