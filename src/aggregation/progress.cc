@@ -3,6 +3,7 @@
 #include <hwy/cache_control.h>
 
 #include <chrono>
+#include <optional>
 #include <thread>
 
 #include "common/thread_pool.h"
@@ -27,6 +28,7 @@ void Progress::Reset(int groups) {
 
 void Progress::WaitFor(int group, int columns) const {
   const std::atomic<int>& done = done_[group];
+  std::optional<ThreadPool::Sleep> sleep;
   for (int tries = 0; done.load(std::memory_order_acquire) < columns; ++tries) {
     if (tries < kSpins) {
       hwy::Pause();
@@ -34,6 +36,8 @@ void Progress::WaitFor(int group, int columns) const {
     } else if (tries < kSpins + kYields) {
       std::this_thread::yield();
     } else {
+      if (!sleep) sleep.emplace();
+      sleep->LendCore();
       std::this_thread::sleep_for(kNap);
     }
   }

@@ -1,9 +1,14 @@
 #ifndef STEREO_SGMP_COMMON_CORE_SPREAD_H_
 #define STEREO_SGMP_COMMON_CORE_SPREAD_H_
 
+#include <sys/types.h>
+
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
+#include <ctime>
 #include <memory>
+#include <mutex>
 
 namespace stereo_sgmp {
 
@@ -15,18 +20,44 @@ class CoreSpread {
   // Of the threads 0 to `threads` - 1.
   explicit CoreSpread(int threads);
 
-  // The calling thread is `thread`: remembers its core.
-  void Note(int thread);
+  // The calling thread is `thread` and begins to work: remembers it and its core.
+  void Begin(int thread);
 
-  // As Note, and if a thread before `thread` was last noted on the same core, moves the calling one
-  // to a core without any, of those that it may run on. It stays free to run on all of them.
+  // `thread` sleeps by its own will, or is done, until the next Begin.
+  void Rest(int thread) { At(thread).works.store(false, std::memory_order_release); }
+
+  // If a thread before `thread`, the calling one, was last seen on the same core, moves the calling
+  // one to a core without any, of those that it may run on. It stays free to run on all of them.
   void MoveApart(int thread);
 
+  // The same wherever the others are.
+  void MoveToFreeCore(int thread);
+
+  // To be called again and again by `thread` while it waits for others: if one of them works but
+  // has not been on a core lately, as beside another program, moves it to that of the calling
+  // thread, which must leave it by sleeping. Returns whether it has.
+  bool LendCore(int thread);
+
  private:
-  bool IsShared(int core, int thread) const;
+  struct Thread {
+    static constexpr int kUnknown = -1;
+
+    std::atomic<int> core{kUnknown};
+    std::atomic<bool> works{false};
+    std::atomic<pid_t> id{0};
+    std::atomic<clockid_t> clock{0};  // of its processor time
+    // When that was looked at, and what it was, in nanoseconds.
+    std::atomic<std::int64_t> looked{0};
+    std::atomic<std::int64_t> used{0};
+  };
+
+  Thread& At(int thread) { return all_[static_cast<std::size_t>(thread)]; }
+  bool IsShared(int thread);
+  static bool IsKeptOff(Thread* thread);
 
   int threads_;
-  std::unique_ptr<std::atomic<int>[]> cores_;
+  std::unique_ptr<Thread[]> all_;
+  std::mutex move_;  // held while a thread may run on fewer cores than it is to
 };
 
 }  // namespace stereo_sgmp

@@ -6,6 +6,7 @@
 #include <hwy/cache_control.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 
 namespace stereo_sgmp {
@@ -13,6 +14,9 @@ namespace {
 
 // About as long as it takes to wake a thread.
 constexpr int kSpins = 1000;
+
+// How long a thread that waits for others sleeps, before it looks whether they lack a core.
+constexpr std::chrono::microseconds kSleep(100);
 
 // Returns when `done` holds, or after a moment: for what comes at once most times.
 template <class Condition>
@@ -59,8 +63,7 @@ class JobList {
       const std::size_t next = FirstReady();
       if (failed_ || IsOver(next)) return;
       if (next == jobs_.size()) {
-        changed_.wait(lock);
-        ThreadPool::MoveApart();
+        WaitForChange(&lock);
         continue;
       }
       states_[next] = State::kBegun;
@@ -78,6 +81,15 @@ class JobList {
 
  private:
   enum class State { kWaiting, kBegun, kDone };
+
+  // Or for a moment.
+  void WaitForChange(std::unique_lock<std::mutex>* lock) {
+    {
+      ThreadPool::Sleep sleep;
+      if (changed_.wait_for(*lock, kSleep) == std::cv_status::timeout) sleep.LendCore();
+    }
+    ThreadPool::MoveApart();
+  }
 
   bool IsReady(std::size_t job) const {
     const std::vector<std::size_t>& after = jobs_[job].after;
@@ -154,7 +166,6 @@ void ThreadPool::Share(const std::function<void(int)>& task) {
 }
 
 void ThreadPool::Begin(const std::function<void(int)>& task) {
-  spread_.Note(0);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     task_ = &task;
@@ -175,7 +186,11 @@ void ThreadPool::Finish(bool leave_out) {
   }
   SpinUntil(is_done);
   std::unique_lock<std::mutex> lock(mutex_);
-  done_.wait(lock, is_done);
+  while (!done_.wait_for(lock, kSleep, is_done)) {
+    lock.unlock();
+    spread_.LendCore(0);
+    lock.lock();
+  }
   task_ = nullptr;
   if (error_) std::rethrow_exception(error_);
 }
@@ -230,9 +245,25 @@ void ThreadPool::MoveApart() {
   if (current_part.spread != nullptr) current_part.spread->MoveApart(current_part.index);
 }
 
+ThreadPool::Sleep::Sleep() {
+  if (current_part.spread != nullptr) current_part.spread->Rest(current_part.index);
+}
+
+ThreadPool::Sleep::~Sleep() {
+  if (current_part.spread == nullptr) return;
+  current_part.spread->Begin(current_part.index);
+  if (has_lent_) current_part.spread->MoveToFreeCore(current_part.index);
+}
+
+void ThreadPool::Sleep::LendCore() {
+  if (current_part.spread == nullptr) return;
+  has_lent_ = current_part.spread->LendCore(current_part.index) || has_lent_;
+}
+
 void ThreadPool::Execute(int index, const std::function<void(int)>& task) {
   const Part around = current_part;  // where a job has a pool of its own
   current_part = {&spread_, index};
+  spread_.Begin(index);
   MoveApart();
   try {
     task(index);
@@ -240,6 +271,7 @@ void ThreadPool::Execute(int index, const std::function<void(int)>& task) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!error_) error_ = std::current_exception();
   }
+  spread_.Rest(index);
   current_part = around;
 }
 

@@ -64,6 +64,21 @@ class ThreadPool {
   // core of another part. Does nothing outside of tasks.
   static void MoveApart();
 
+  // While a part of a task sleeps because it waits for others. Does nothing outside of tasks.
+  class Sleep {
+   public:
+    Sleep();
+    ~Sleep();
+    Sleep(const Sleep&) = delete;
+    Sleep& operator=(const Sleep&) = delete;
+
+    // Before it sleeps again for a moment: leaves its core to a part that has none.
+    void LendCore();
+
+   private:
+    bool has_lent_ = false;
+  };
+
  private:
   void Work(int index);
   void Execute(int index, const std::function<void(int)>& task);

@@ -1,7 +1,13 @@
 #include "common/core_spread.h"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 #include <sched.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+#include <vector>
 
 namespace stereo_sgmp {
 namespace {
@@ -28,7 +34,7 @@ TEST(CoreSpreadTest, MovesAwayFromTheCoreOfAnotherThread) {
     if (!CPU_ISSET(core, &usable)) continue;
     CoreSpread spread(2);
     Allow(Only(core));
-    spread.Note(0);
+    spread.Begin(0);
     Allow(usable);
     spread.MoveApart(1);
     const cpu_set_t after = Usable();
@@ -43,7 +49,7 @@ TEST(CoreSpreadTest, StaysWhereAllCoresAreTaken) {
   CoreSpread spread(3);
   Allow(Only(sched_getcpu()));
   const cpu_set_t only = Usable();
-  spread.Note(0);
+  spread.Begin(0);
   spread.MoveApart(1);
   const cpu_set_t after = Usable();
   EXPECT_TRUE(CPU_EQUAL(&after, &only));
@@ -56,10 +62,104 @@ TEST(CoreSpreadTest, NeverMovesTheFirstThread) {
   CoreSpread spread(2);
   Allow(Only(sched_getcpu()));
   const int core = sched_getcpu();
-  spread.Note(1);
+  spread.Begin(1);
   Allow(usable);
   spread.MoveApart(0);
   EXPECT_EQ(sched_getcpu(), core);
+}
+
+// Spins on a core of its own choice until it is told to stop.
+class Spinner {
+ public:
+  Spinner(CoreSpread* spread, int index, const cpu_set_t& cores)
+      : thread_([this, spread, index, cores] {
+          Allow(cores);
+          if (spread != nullptr) spread->Begin(index);
+          runs_ = true;
+          while (!stop_) core_ = sched_getcpu();
+          if (spread != nullptr) spread->Rest(index);
+        }) {
+    while (!runs_) std::this_thread::yield();
+  }
+  ~Spinner() {
+    stop_ = true;
+    thread_.join();
+  }
+
+  int core() const { return core_; }
+  cpu_set_t Cores() {
+    cpu_set_t cores;
+    EXPECT_EQ(pthread_getaffinity_np(thread_.native_handle(), sizeof(cores), &cores), 0);
+    return cores;
+  }
+  void AllowAll(const cpu_set_t& cores) {
+    ASSERT_EQ(pthread_setaffinity_np(thread_.native_handle(), sizeof(cores), &cores), 0);
+  }
+
+ private:
+  std::atomic<bool> runs_{false};
+  std::atomic<bool> stop_{false};
+  std::atomic<int> core_{-1};
+  std::thread thread_;
+};
+
+// Whether LendCore lends within `time`, asked all the time: so the scheduler sees no free core.
+bool LendsWithin(std::chrono::milliseconds time, CoreSpread* spread, int index) {
+  const auto end = std::chrono::steady_clock::now() + time;
+  while (std::chrono::steady_clock::now() < end) {
+    if (spread->LendCore(index)) return true;
+  }
+  return false;
+}
+
+// Two of the cores that this process may run on; none where it has fewer.
+std::vector<int> TwoCores() {
+  const cpu_set_t usable = Usable();
+  std::vector<int> cores;
+  for (int core = 0; core < CPU_SETSIZE && cores.size() < 2; ++core) {
+    if (CPU_ISSET(core, &usable)) cores.push_back(core);
+  }
+  return cores.size() == 2 ? cores : std::vector<int>();
+}
+
+TEST(CoreSpreadTest, LendsItsCoreToAThreadThatHasLostItsOwn) {
+  const std::vector<int> cores = TwoCores();
+  if (cores.empty()) GTEST_SKIP() << "on one core there is none to lend";
+  const cpu_set_t usable = Usable();
+  Allow(Only(cores[0]));
+  CoreSpread spread(2);
+  // Another program's thread has the core that the working one was put on.
+  const Spinner program(nullptr, 0, Only(cores[1]));
+  Spinner worker(&spread, 1, Only(cores[1]));
+  worker.AllowAll(usable);
+  EXPECT_TRUE(LendsWithin(std::chrono::seconds(5), &spread, 0));
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_EQ(worker.core(), cores[0]);
+  const cpu_set_t after = worker.Cores();
+  EXPECT_TRUE(CPU_EQUAL(&after, &usable));  // free to run on all of them
+  Allow(usable);
+}
+
+TEST(CoreSpreadTest, LendsNothingToAThreadThatMayNotRunThere) {
+  const std::vector<int> cores = TwoCores();
+  if (cores.empty()) GTEST_SKIP() << "on one core there is none to lend";
+  const cpu_set_t usable = Usable();
+  Allow(Only(cores[0]));
+  CoreSpread spread(2);
+  const Spinner program(nullptr, 0, Only(cores[1]));
+  const Spinner worker(&spread, 1, Only(cores[1]));
+  EXPECT_FALSE(LendsWithin(std::chrono::milliseconds(100), &spread, 0));
+  EXPECT_EQ(worker.core(), cores[1]);
+  Allow(usable);
+}
+
+TEST(CoreSpreadTest, LendsNothingToAThreadThatSleepsByItsOwnWill) {
+  CoreSpread spread(2);
+  std::thread([&spread] {
+    spread.Begin(1);
+    spread.Rest(1);
+  }).join();
+  EXPECT_FALSE(LendsWithin(std::chrono::milliseconds(20), &spread, 0));
 }
 
 }  // namespace
