@@ -1,39 +1,41 @@
 #!/usr/bin/python3
 """Latency, rate and processor time of stereo nodelets: compare.py SCENE LOG_FOLDER."""
 import argparse
+import collections
 import contextlib
 import os
-import struct
+import re
 import subprocess
 import sys
 import time
 
-import numpy as np
 import roslib.packages
 import rosgraph
 import rospy
 import yaml
 
-SCRIPTS = os.path.dirname(os.path.abspath(__file__))
 NAMESPACE = "/stereo"
-PATIENCE = 30.0  # seconds until the first frame
-WARM_UP = 3.0    # seconds that are not counted
+PATIENCE = 30.0  # seconds until the topics are there
 IDLE = 5.0       # seconds without listeners
+TOPICS = ["disparity", "points2"]
 DISPARITIES = 64
 
 BLOCK_MATCHER, SEMI_GLOBAL = 0, 1  # of stereo_image_proc's stereo_algorithm
 
 
+Nodelet = collections.namedtuple("Nodelet", "name type topic")
+
+
 def stereo_image_proc(algorithm):
-    """Its nodelets by name, and their parameters."""
-    return ({"disparity": "stereo_image_proc/disparity",
-             "point_cloud2": "stereo_image_proc/point_cloud2"},
+    """Its nodelets, and their parameters."""
+    return ([Nodelet("disparity", "stereo_image_proc/disparity", "disparity"),
+             Nodelet("point_cloud2", "stereo_image_proc/point_cloud2", "points2")],
             {"disparity/stereo_algorithm": algorithm, "disparity/disparity_range": DISPARITIES,
              "disparity/min_disparity": 0})
 
 
 METHODS = {
-    "stereo_sgmp": ({"matcher": "stereo_sgmp/stereo_sgmp"},
+    "stereo_sgmp": ([Nodelet("matcher", "stereo_sgmp/stereo_sgmp", "points2")],
                     {"matcher/num_disparities": DISPARITIES}),
     "stereo_image_proc, SGBM": stereo_image_proc(SEMI_GLOBAL),
     "stereo_image_proc, BM": stereo_image_proc(BLOCK_MATCHER),
@@ -45,23 +47,6 @@ def processor_seconds(pid):
     with open("/proc/%d/stat" % pid) as file:
         fields = file.read().rpartition(")")[2].split()
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
-
-
-class Latencies:
-    """From the stamp to the arrival of each message, without taking the messages apart."""
-
-    def __init__(self, topic):
-        self.seconds = []
-        self._subscriber = rospy.Subscriber(NAMESPACE + "/" + topic, rospy.AnyMsg, self._add,
-                                            queue_size=10, buff_size=1 << 25, tcp_nodelay=True)
-
-    def _add(self, message):
-        arrival = time.time()
-        _, seconds, nanoseconds = struct.unpack_from("<III", message._buff)
-        self.seconds.append(arrival - seconds - 1e-9 * nanoseconds)
-
-    def close(self):
-        self._subscriber.unregister()
 
 
 @contextlib.contextmanager
@@ -93,25 +78,27 @@ def is_advertised(topic):
     return any(name == NAMESPACE + "/" + topic for name, _ in publishers)
 
 
+def numbers_of(line):
+    """Rate, median and 99 % as message_latency prints them."""
+    found = re.search(r": ([\d.]+) Hz, median ([-\d.]+) ms, 99 % ([-\d.]+) ms", line)
+    return list(found.groups()) if found else ["0", "-", "-"]
+
+
 def measure(manager, seconds):
-    """Shares of a core with and without listeners, and the latencies of both topics."""
-    for topic in ("disparity", "points2"):
-        wait_until(lambda: is_advertised(topic), "%s is not advertised" % topic)
-    listeners = [Latencies("disparity"), Latencies("points2")]
-    wait_until(lambda: all(listener.seconds for listener in listeners), "no disparity and cloud")
-    time.sleep(WARM_UP)
-    for listener in listeners:
-        listener.seconds.clear()
-    before = processor_seconds(manager)
-    time.sleep(seconds)
-    busy = (processor_seconds(manager) - before) / seconds
-    latencies = [np.array(listener.seconds) for listener in listeners]
-    for listener in listeners:
-        listener.close()
+    """Shares of a core with and without listeners, and the numbers of each topic."""
+    command = [program("stereo_sgmp", "message_latency"), "--seconds", str(seconds)]
+    command += [NAMESPACE + "/" + topic for topic in TOPICS]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as listener:
+        listener.stdout.readline()  # that it measures from now on
+        before = processor_seconds(manager)
+        lines = listener.stdout.read().splitlines()
+        busy = (processor_seconds(manager) - before) / seconds
+    if listener.returncode != 0:
+        sys.exit("message_latency failed")
     time.sleep(1)
     before = processor_seconds(manager)
     time.sleep(IDLE)
-    return busy, (processor_seconds(manager) - before) / IDLE, latencies
+    return busy, (processor_seconds(manager) - before) / IDLE, [numbers_of(line) for line in lines]
 
 
 def run(nodelets, parameters, arguments):
@@ -126,19 +113,13 @@ def run(nodelets, parameters, arguments):
         manager = stack.enter_context(
             running([nodelet, "manager", in_namespace, "__name:=manager"],
                     os.path.join(arguments.logs, "manager.log")))
-        for name, kind in nodelets.items():
+        # One after the other: two that load image_transport at once can bring a manager down.
+        for name, kind, topic in nodelets:
             stack.enter_context(running([nodelet, "load", kind, "manager", in_namespace,
                                          "__name:=" + name],
                                         os.path.join(arguments.logs, name + ".log")))
+            wait_until(lambda: is_advertised(topic), "%s is not advertised" % topic)
         return measure(manager.pid, arguments.seconds)
-
-
-def row(name, seconds, busy, idle, latencies):
-    cells = [name]
-    for latency in latencies:
-        milliseconds = np.percentile(1e3 * latency, (50, 99))
-        cells += ["%.1f" % (len(latency) / seconds)] + ["%.1f" % value for value in milliseconds]
-    return cells + ["%.0f %%" % (100 * busy), "%.1f %%" % (100 * idle)]
 
 
 def main():
@@ -158,12 +139,13 @@ def main():
     print("| method | disparities/s | median ms | 99 % ms | clouds/s | median ms | 99 % ms "
           "| of a core | idle |")
     print("|---|" + 8 * "---:|")
-    with running([sys.executable, os.path.join(SCRIPTS, "camera.py"), arguments.scene,
-                  str(arguments.rate)], os.path.join(arguments.logs, "camera.log")):
+    camera = [program("stereo_sgmp", "play_pair"), arguments.scene, "--rate", str(arguments.rate)]
+    with running(camera, os.path.join(arguments.logs, "camera.log")):
         for name in arguments.methods:
-            busy, idle, latencies = run(*METHODS[name], arguments)
-            print("| " + " | ".join(row(name, arguments.seconds, busy, idle, latencies)) + " |",
-                  flush=True)
+            busy, idle, topics = run(*METHODS[name], arguments)
+            cells = [name] + topics[0] + topics[1] + ["%.0f %%" % (100 * busy),
+                                                      "%.1f %%" % (100 * idle)]
+            print("| " + " | ".join(cells) + " |", flush=True)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Bags made by make_bag, played through the launch files."""
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -13,7 +14,7 @@ import numpy as np
 import rosbag
 import rospy
 import rostest
-from sensor_msgs.msg import PointCloud2
+from sensor_msgs.msg import CameraInfo, Image, PointCloud2
 from stereo_msgs.msg import DisparityImage
 from stereo_sgmp.msg import Priors
 
@@ -154,6 +155,41 @@ class PlaybackTest(unittest.TestCase):
         self.play("rectify:=true", "bag:=" + filtered)
         self.assertTrue(disparity.wait_until(len))
         rig.check_disparity(self, disparity.messages[0])
+
+    def test_a_pair_plays_as_a_camera_and_its_latency_is_measured(self):
+        # Pictures are told apart by their content, not by their names.
+        shutil.copy(self.path("left.ppm"), self.path("im0.png"))
+        shutil.copy(self.path("right.ppm"), self.path("im1.png"))
+        camera = subprocess.Popen([rig.program("stereo_sgmp", "play_pair"), self.folder,
+                                   "--rate", "20", "--namespace", "desk"])
+        self.addCleanup(camera.wait)
+        self.addCleanup(camera.terminate)
+        topics = ["/desk/left/image_rect", "/desk/left/image_rect_color",
+                  "/desk/right/camera_info"]
+        lines = subprocess.check_output(
+            [rig.program("stereo_sgmp", "message_latency"), "--seconds", "2", "--warm-up", "0.2"]
+            + topics, text=True).splitlines()[1:]
+        self.assertEqual([line.partition(": ")[0] for line in lines], topics)
+        for line in lines:
+            rate, median, most = (float(number)
+                                  for number in re.findall(r"(-?[\d.]+) (?:Hz|ms)", line))
+            self.assertAlmostEqual(rate, 20.0, delta=2.0)
+            self.assertGreater(median, 0.0)
+            self.assertLess(median, 500.0)
+            self.assertGreaterEqual(most, median)
+        left = rospy.wait_for_message(topics[1], Image, rig.TIMEOUT)
+        with open(self.path("left.ppm"), "rb") as file:
+            rgb = np.frombuffer(file.read()[-3 * rig.WIDTH * rig.HEIGHT:], np.uint8).reshape(-1, 3)
+        self.assertEqual(left.data, rgb[:, ::-1].tobytes())
+        info = rospy.wait_for_message(topics[2], CameraInfo, rig.TIMEOUT)
+        self.assertAlmostEqual(-info.P[3] / info.P[0], rig.BASELINE, places=5)
+
+    def test_a_topic_without_messages_is_named(self):
+        tool = subprocess.run(
+            [rig.program("stereo_sgmp", "message_latency"), "/nobody", "--patience", "0.2"],
+            stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual(tool.returncode, 1)
+        self.assertIn("nothing arrived on /nobody within 0.2 s", tool.stderr)
 
     def test_bayer_images(self):
         mosaics = self.path("bayer.bag")
