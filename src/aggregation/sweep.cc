@@ -117,6 +117,12 @@ void Sweep<T>::StartRow(const RowPlace& place, Workspace* workspace) const {
   s.all_disparities = shape_.disparities;
   s.stride = shape_.Stride();
   s.x_step = backward_ ? -1 : 1;
+  for (int i = 0; i < job_.paths; ++i) {
+    const auto path = static_cast<std::size_t>(i);
+    // The contrast of a step is that of the opposite step from its other end.
+    const PathStep end = backward_ ? kForwardSteps[path] : PathStep{0, 0};
+    s.contrast[path] = job_.contrast->Row(static_cast<Path>(i), place.y + end.dy) + end.dx;
+  }
   s.has_above = !IsFirstOfImage(place);
   s.above_has_moved = IsFirstOfJob(place) && before_has_moved_;
   s.above = Above(place, *workspace);
@@ -191,16 +197,14 @@ void Sweep<T>::RunPart(const RowPlace& place, int u_begin, int u_end, Workspace*
   s.u_begin = u_begin;
   s.u_end = u_end;
   s.disparities = ReachedDisparities(shape_, x_begin);
-  s.x_first = backward_ ? x_end - 1 : x_begin;
+  const int x_first = backward_ ? x_end - 1 : x_begin;
+  for (int i = 0; i < job_.paths; ++i) {
+    s.contrast[static_cast<std::size_t>(i)] += x_first - s.x_first;
+  }
+  s.x_first = x_first;
   const std::uint8_t* costs = job_.costs->Row(y, x_begin, x_end, workspace->cost.data());
   s.cost = costs + (s.x_first - x_begin) * s.stride;
   s.has_stored_costs = costs != workspace->cost.data();
-  for (int i = 0; i < job_.paths; ++i) {
-    const auto path = static_cast<std::size_t>(i);
-    // The contrast of a step is that of the opposite step from its other end.
-    const PathStep end = backward_ ? kForwardSteps[path] : PathStep{0, 0};
-    s.contrast[path] = job_.contrast->Row(static_cast<Path>(i), y + end.dy) + s.x_first + end.dx;
-  }
   const int first_jump_column = workspace->jumps[static_cast<std::size_t>(place.row)].x_begin;
   s.first_jump = s.x_first - first_jump_column;
   PlaceSums(place, &s);
