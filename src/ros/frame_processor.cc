@@ -1,5 +1,6 @@
 #include "ros/frame_processor.h"
 
+#include <chrono>
 #include <exception>
 #include <stdexcept>
 #include <utility>
@@ -9,6 +10,9 @@
 
 namespace stereo_sgmp {
 namespace {
+
+// For the colour of a cloud, while the next frame is matched.
+constexpr std::chrono::milliseconds kColorPatience(20);
 
 double MillisecondsSince(const ros::WallTime& start) {
   return (ros::WallTime::now() - start).toSec() * 1e3;
@@ -90,7 +94,7 @@ void FrameProcessor::FollowUp(const MatchedFrame& matched, const CloudStreamOpti
                               const stereo_sgmp::StatisticsPtr& statistics) {
   RejectErrors([&] {
     if (outputs_->CloudWanted()) {
-      if (!color) color = colors_->Find(matched.header.stamp);
+      if (!color) color = colors_->WaitFor(matched.header.stamp, kColorPatience);
       outputs_->PublishCloud(matched, CloudColor(color, left)->image, cloud);
       statistics->cloud_latency_ms = MillisecondsSince(arrival);
     }
