@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -79,48 +78,21 @@ sensor_msgs::PointField FloatField(const std::string& name, std::size_t offset) 
 struct PackedPoint {
   float x, y, z;
   float padding;
-  std::uint8_t bgr0[4];
+  std::uint8_t b, g, r, unused;
   float confidence;
   float padding2[2];
 };
-static_assert(sizeof(PackedPoint) == 32 && offsetof(PackedPoint, bgr0) == 16 &&
+static_assert(sizeof(PackedPoint) == 32 && offsetof(PackedPoint, b) == 16 &&
                   offsetof(PackedPoint, confidence) == 20,
-              "copied as raw bytes");
+              "the layout that is described");
 
 template <class Point>
-std::vector<sensor_msgs::PointField> CloudFields(std::size_t rgb_offset) {
-  return {FloatField("x", offsetof(Point, x)), FloatField("y", offsetof(Point, y)),
-          FloatField("z", offsetof(Point, z)), FloatField("rgb", rgb_offset),
-          FloatField("confidence", offsetof(Point, confidence))};
+void DescribePoints(sensor_msgs::PointCloud2* message) {
+  message->fields = {FloatField("x", offsetof(Point, x)), FloatField("y", offsetof(Point, y)),
+                     FloatField("z", offsetof(Point, z)), FloatField("rgb", offsetof(Point, b)),
+                     FloatField("confidence", offsetof(Point, confidence))};
+  message->point_step = sizeof(Point);
 }
-
-// Piece by piece: a point that is put together first is read before its bytes have arrived.
-void Pack(const CloudPoint* points, std::size_t count, std::uint8_t* out) {
-  constexpr std::size_t kPlace = offsetof(CloudPoint, b);
-  constexpr std::size_t kRest = sizeof(CloudPoint) - kPlace;
-  constexpr std::size_t kPackedRest = offsetof(PackedPoint, bgr0);
-  static_assert(kPackedRest + kRest == offsetof(PackedPoint, padding2), "in the same order");
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto* const point = reinterpret_cast<const std::uint8_t*>(points + i);
-    std::memcpy(out, point, kPlace);
-    std::memset(out + kPlace, 0, kPackedRest - kPlace);
-    std::memcpy(out + kPackedRest, point + kPlace, kRest);
-    std::memset(out + kPackedRest + kRest, 0, sizeof(PackedPoint) - kPackedRest - kRest);
-    out += sizeof(PackedPoint);
-  }
-}
-
-// Points of one layout as bytes of a message.
-struct PointWriter {
-  bool compact;
-
-  std::size_t Step() const { return compact ? sizeof(CloudPoint) : sizeof(PackedPoint); }
-
-  void Write(const CloudPoint* points, std::size_t count, std::uint8_t* out) const {
-    if (!compact) return Pack(points, count, out);
-    if (count > 0) std::memcpy(out, points, count * sizeof(CloudPoint));
-  }
-};
 
 // All but the points, for which there is room.
 void DescribeCloud(int width, int height, const CloudLayout& layout, const std_msgs::Header& header,
@@ -130,11 +102,36 @@ void DescribeCloud(int width, int height, const CloudLayout& layout, const std_m
   message->height = static_cast<std::uint32_t>(height);
   message->is_bigendian = false;
   message->is_dense = layout.is_dense;
-  message->fields = layout.compact ? CloudFields<CloudPoint>(offsetof(CloudPoint, b))
-                                   : CloudFields<PackedPoint>(offsetof(PackedPoint, bgr0));
-  message->point_step = static_cast<std::uint32_t>(PointWriter{layout.compact}.Step());
+  layout.compact ? DescribePoints<CloudPoint>(message) : DescribePoints<PackedPoint>(message);
   message->row_step = message->point_step * message->width;
   message->data.resize(std::size_t{message->row_step} * message->height);
+}
+
+// The points of a message, of the type that describes them.
+template <class Point>
+Point* PointsOf(sensor_msgs::PointCloud2* message) {
+  return reinterpret_cast<Point*>(message->data.data());
+}
+
+// The gaps between the fields too: memory that is used again may have had other points.
+template <class Point>
+void WriteRows(const CloudRows& rows, Point* out) {
+  for (int y = 0; y < rows.height(); ++y, out += rows.width()) {
+    std::fill_n(out, rows.width(), Point{});
+    rows.Row(y, out);
+  }
+}
+
+PackedPoint Packed(const CloudPoint& point) {
+  PackedPoint packed{};
+  packed.x = point.x;
+  packed.y = point.y;
+  packed.z = point.z;
+  packed.b = point.b;
+  packed.g = point.g;
+  packed.r = point.r;
+  packed.confidence = point.confidence;
+  return packed;
 }
 
 stereo_sgmp::Plane ToPlane(const PlaneHypothesis& hypothesis, const StereoCamera& camera) {
@@ -210,19 +207,22 @@ sensor_msgs::PointCloud2Ptr ToPointCloud2(const PointCloud& cloud, const CloudLa
                                           const std_msgs::Header& header) {
   auto message = boost::make_shared<sensor_msgs::PointCloud2>();
   DescribeCloud(cloud.width, cloud.height, layout, header, message.get());
-  PointWriter{layout.compact}.Write(cloud.points.data(), cloud.points.size(), message->data.data());
+  const std::vector<CloudPoint>& points = cloud.points;
+  if (layout.compact) {
+    std::copy(points.begin(), points.end(), PointsOf<CloudPoint>(message.get()));
+  } else {
+    std::transform(points.begin(), points.end(), PointsOf<PackedPoint>(message.get()), Packed);
+  }
   return message;
 }
 
 void FillPointCloud2(const CloudRows& rows, bool compact, const std_msgs::Header& header,
                      sensor_msgs::PointCloud2* message) {
   DescribeCloud(rows.width(), rows.height(), {compact, false}, header, message);
-  std::vector<CloudPoint> row(static_cast<std::size_t>(rows.width()));
-  std::uint8_t* out = message->data.data();
-  for (int y = 0; y < rows.height(); ++y) {
-    rows.Row(y, row.data());
-    PointWriter{compact}.Write(row.data(), row.size(), out);
-    out += message->row_step;
+  if (compact) {
+    WriteRows(rows, PointsOf<CloudPoint>(message));
+  } else {
+    WriteRows(rows, PointsOf<PackedPoint>(message));
   }
 }
 
