@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include <cv_bridge/cv_bridge.h>
@@ -49,20 +48,6 @@ cv::Mat Allocate(cv::Size size, int type, const std::string& encoding, sensor_ms
   image->step = image->width * static_cast<std::uint32_t>(CV_ELEM_SIZE(type));
   image->data.resize(std::size_t{image->step} * image->height);
   return cv::Mat(size, type, image->data.data(), image->step);
-}
-
-// Without branches, so that the compiler vectorises it.
-void WidenByValid(const float* disparity, const std::uint8_t* reason, int width, float* lowest,
-                  float* highest) {
-  float low = *lowest;
-  float high = *highest;
-  for (int x = 0; x < width; ++x) {
-    const float d = disparity[x];
-    low = std::min(low, reason[x] == 0 ? d : low);
-    high = std::max(high, reason[x] == 0 ? d : high);
-  }
-  *lowest = low;
-  *highest = high;
 }
 
 sensor_msgs::PointField FloatField(const std::string& name, std::size_t offset) {
@@ -113,12 +98,22 @@ Point* PointsOf(sensor_msgs::PointCloud2* message) {
   return reinterpret_cast<Point*>(message->data.data());
 }
 
-// The gaps between the fields too: memory that is used again may have had other points.
+// The gaps between the fields: memory that is used again may have had other points.
+void ClearGaps(CloudPoint* /*points*/, int /*count*/) {}
+
+void ClearGaps(PackedPoint* points, int count) {
+  for (int i = 0; i < count; ++i) {
+    points[i].padding = 0.0f;
+    points[i].padding2[0] = 0.0f;
+    points[i].padding2[1] = 0.0f;
+  }
+}
+
 template <class Point>
 void WriteRows(const CloudRows& rows, Point* out) {
   for (int y = 0; y < rows.height(); ++y, out += rows.width()) {
-    std::fill_n(out, rows.width(), Point{});
     rows.Row(y, out);
+    ClearGaps(out, rows.width());
   }
 }
 
@@ -160,15 +155,18 @@ void FillAlignment(const AlignmentReport& report, stereo_sgmp::Statistics* messa
 
 DisparityLimits PublishedLimits(const MatchResult& result, const Options& options,
                                 const StereoCamera& camera) {
-  float lowest = std::numeric_limits<float>::infinity();
-  float highest = -lowest;
-  for (int y = 0; y < result.dense.rows; ++y) {
-    WidenByValid(result.dense.ptr<float>(y), result.reason.ptr<std::uint8_t>(y), result.dense.cols,
-                 &lowest, &highest);
+  double lowest = options.min_disparity;
+  double highest = LastDisparity(options);
+  const cv::Mat valid = result.reason == 0;
+  if (cv::countNonZero(valid) > 0) {
+    double least = 0.0;
+    double most = 0.0;
+    cv::minMaxIdx(result.dense, &least, &most, nullptr, nullptr, valid);
+    lowest = std::min(lowest, least);
+    highest = std::max(highest, most);
   }
   const double margin = DisparityStep(options);
-  return {std::min<double>(lowest, options.min_disparity) + camera.doffs - margin,
-          std::max<double>(highest, LastDisparity(options)) + camera.doffs + margin};
+  return {lowest + camera.doffs - margin, highest + camera.doffs + margin};
 }
 
 stereo_msgs::DisparityImagePtr ToDisparityImage(const MatchResult& result, const Options& options,
