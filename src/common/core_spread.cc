@@ -104,6 +104,7 @@ bool CoreSpread::IsKeptOff(Thread* thread) {
   const std::int64_t passed = now - thread->looked.load(std::memory_order_relaxed);
   if (passed < kShortestLook) return false;
   const std::int64_t used = Now(thread->clock.load(std::memory_order_relaxed));
+  if (used == 0) return false;  // not known
   const std::int64_t since = used - thread->used.exchange(used, std::memory_order_relaxed);
   thread->looked.store(now, std::memory_order_relaxed);
   return passed < kLongestLook && since < passed / kLostPart;

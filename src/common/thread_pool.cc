@@ -166,6 +166,7 @@ void ThreadPool::Share(const std::function<void(int)>& task) {
 }
 
 void ThreadPool::Begin(const std::function<void(int)>& task) {
+  spread_.Begin(0);  // before the others look where it is
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     task_ = &task;
@@ -263,7 +264,7 @@ void ThreadPool::Sleep::LendCore() {
 void ThreadPool::Execute(int index, const std::function<void(int)>& task) {
   const Part around = current_part;  // where a job has a pool of its own
   current_part = {&spread_, index};
-  spread_.Begin(index);
+  if (index > 0) spread_.Begin(index);
   MoveApart();
   try {
     task(index);

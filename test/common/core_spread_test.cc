@@ -6,6 +6,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <future>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -112,54 +114,60 @@ bool LendsWithin(std::chrono::milliseconds time, CoreSpread* spread, int index) 
   return false;
 }
 
-// Two of the cores that this process may run on; none where it has fewer.
-std::vector<int> TwoCores() {
-  const cpu_set_t usable = Usable();
-  std::vector<int> cores;
-  for (int core = 0; core < CPU_SETSIZE && cores.size() < 2; ++core) {
-    if (CPU_ISSET(core, &usable)) cores.push_back(core);
+// The test's thread 0 has one core for itself; another program has the other.
+class CoreLendingTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (int core = 0; core < CPU_SETSIZE; ++core) {
+      if (CPU_ISSET(core, &usable_)) cores_.push_back(core);
+    }
+    if (cores_.size() < 2) GTEST_SKIP() << "on one core there is none to lend";
+    Allow(Only(cores_[0]));
+    program_.emplace(nullptr, 0, Only(cores_[1]));
   }
-  return cores.size() == 2 ? cores : std::vector<int>();
-}
+  void TearDown() override { Allow(usable_); }
 
-TEST(CoreSpreadTest, LendsItsCoreToAThreadThatHasLostItsOwn) {
-  const std::vector<int> cores = TwoCores();
-  if (cores.empty()) GTEST_SKIP() << "on one core there is none to lend";
-  const cpu_set_t usable = Usable();
-  Allow(Only(cores[0]));
-  CoreSpread spread(2);
-  // Another program's thread has the core that the working one was put on.
-  const Spinner program(nullptr, 0, Only(cores[1]));
-  Spinner worker(&spread, 1, Only(cores[1]));
-  worker.AllowAll(usable);
-  EXPECT_TRUE(LendsWithin(std::chrono::seconds(5), &spread, 0));
+  const cpu_set_t usable_ = Usable();
+  std::vector<int> cores_;
+  std::optional<Spinner> program_;
+  CoreSpread spread_{2};
+};
+
+TEST_F(CoreLendingTest, LendsToAThreadThatHasLostItsOwn) {
+  Spinner worker(&spread_, 1, Only(cores_[1]));
+  worker.AllowAll(usable_);
+  EXPECT_TRUE(LendsWithin(std::chrono::seconds(5), &spread_, 0));
   std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  EXPECT_EQ(worker.core(), cores[0]);
+  EXPECT_EQ(worker.core(), cores_[0]);
   const cpu_set_t after = worker.Cores();
-  EXPECT_TRUE(CPU_EQUAL(&after, &usable));  // free to run on all of them
-  Allow(usable);
+  EXPECT_TRUE(CPU_EQUAL(&after, &usable_));  // free to run on all of them
 }
 
-TEST(CoreSpreadTest, LendsNothingToAThreadThatMayNotRunThere) {
-  const std::vector<int> cores = TwoCores();
-  if (cores.empty()) GTEST_SKIP() << "on one core there is none to lend";
-  const cpu_set_t usable = Usable();
-  Allow(Only(cores[0]));
-  CoreSpread spread(2);
-  const Spinner program(nullptr, 0, Only(cores[1]));
-  const Spinner worker(&spread, 1, Only(cores[1]));
-  EXPECT_FALSE(LendsWithin(std::chrono::milliseconds(100), &spread, 0));
-  EXPECT_EQ(worker.core(), cores[1]);
-  Allow(usable);
+TEST_F(CoreLendingTest, LendsNothingToAThreadThatMayNotRunThere) {
+  const Spinner worker(&spread_, 1, Only(cores_[1]));
+  EXPECT_FALSE(LendsWithin(std::chrono::milliseconds(100), &spread_, 0));
+  EXPECT_EQ(worker.core(), cores_[1]);
 }
 
-TEST(CoreSpreadTest, LendsNothingToAThreadThatSleepsByItsOwnWill) {
-  CoreSpread spread(2);
-  std::thread([&spread] {
-    spread.Begin(1);
-    spread.Rest(1);
-  }).join();
-  EXPECT_FALSE(LendsWithin(std::chrono::milliseconds(20), &spread, 0));
+TEST_F(CoreLendingTest, LendsNothingToAThreadThatSleepsByItsOwnWill) {
+  for (const bool rests : {true, false}) {
+    std::promise<void> begun;
+    std::promise<void> stop;
+    std::thread sleeper([&] {
+      Allow(usable_);
+      spread_.Begin(1);
+      if (rests) spread_.Rest(1);
+      begun.set_value();
+      stop.get_future().wait();
+      spread_.Rest(1);
+    });
+    begun.get_future().wait();
+    // One that has not said so looks like one without a core.
+    const std::chrono::milliseconds time(rests ? 20 : 5000);
+    EXPECT_EQ(LendsWithin(time, &spread_, 0), !rests);
+    stop.set_value();
+    sleeper.join();
+  }
 }
 
 }  // namespace
