@@ -35,8 +35,8 @@ class CoreSpread {
 
   // To be called again and again by `thread` while it waits for others: if one of them works but
   // has not been on a core lately, as beside another program, moves it to that of the calling
-  // thread, which must leave it by sleeping. That may be the caller's thread too; each stays free to
-  // run where it was. Returns whether it has moved one.
+  // thread, which must leave it by sleeping. That may be the caller's thread too; each stays free
+  // to run where it was. Returns whether it has moved one.
   bool LendCore(int thread);
 
  private:
