@@ -212,6 +212,12 @@ void SweepVectors(const SweepStretch<T>& s) {
   return SweepPart<T, kPaths, PixelShape<T, kVectors, false>>(s);
 }
 
+// 192, 256 and 320 disparities in vectors of 32; longer vectors need fewer.
+template <class T>
+constexpr int UnrolledFor32(int vectors) {
+  return kLanes<T> == 32 ? vectors : kAnyVectors;
+}
+
 // Unrolls the loops over the vectors of a pixel: those of 8 bit messages for usual ranges.
 template <class T, int kPaths>
 void SweepOf(const SweepStretch<T>& s) {
@@ -227,16 +233,12 @@ void SweepOf(const SweepStretch<T>& s) {
         return SweepVectors<T, kPaths, 4>(s);
       case 5:
         return SweepVectors<T, kPaths, 5>(s);
-      // 192, 256 and 320 disparities in vectors of 32; longer vectors need fewer.
       case 6:
-        if constexpr (kLanes<T> == 32) return SweepVectors<T, kPaths, 6>(s);
-        break;
+        return SweepVectors<T, kPaths, UnrolledFor32<T>(6)>(s);
       case 8:
-        if constexpr (kLanes<T> == 32) return SweepVectors<T, kPaths, 8>(s);
-        break;
+        return SweepVectors<T, kPaths, UnrolledFor32<T>(8)>(s);
       case 10:
-        if constexpr (kLanes<T> == 32) return SweepVectors<T, kPaths, 10>(s);
-        break;
+        return SweepVectors<T, kPaths, UnrolledFor32<T>(10)>(s);
       default:
         break;
     }

@@ -177,7 +177,7 @@ bool HasNegativeValues(const std::string& path, const CostVolume& volume) {
 std::uint8_t CostOf(float value, bool negated_cosine) {
   const float mismatch = negated_cosine ? 1.0f - std::max(0.0f, -value) : value;
   if (std::isnan(value)) return static_cast<std::uint8_t>(kMaxCost);
-  return static_cast<std::uint8_t>(kMaxCost * std::clamp(mismatch, 0.0f, 1.0f) + 0.5f);
+  return static_cast<std::uint8_t>(std::lround(kMaxCost * std::clamp(mismatch, 0.0f, 1.0f)));
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ cv::Mat DecodeImage(const std::string& bytes, const std::string& name) {
     throw std::invalid_argument(name + ": the picture is truncated after " +
                                 std::to_string(bytes.size()) + " bytes.");
   }
-  const cv::Mat image = IsKnownFormat(bytes) ? Decode(bytes, name) : cv::Mat();
+  cv::Mat image = IsKnownFormat(bytes) ? Decode(bytes, name) : cv::Mat();
   if (image.empty()) {
     throw std::invalid_argument(name +
                                 ": this is not a picture that can be read (PNG, JPEG, PNM, " +

@@ -37,7 +37,7 @@ std::string NextToken(const std::string& bytes, std::size_t* position) {
   constexpr std::size_t kLongest = 64;
   const std::size_t begin = std::min(bytes.find_first_not_of(kSpaces, *position), bytes.size());
   const std::string rest = bytes.substr(begin, kLongest);
-  const std::string token = rest.substr(0, rest.find_first_of(kSpaces));
+  std::string token = rest.substr(0, rest.find_first_of(kSpaces));
   *position = begin + token.size();
   return token;
 }

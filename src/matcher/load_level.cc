@@ -21,14 +21,14 @@ double ScaledCenter(double center, double scale) { return (center + 0.5) * scale
 }  // namespace
 
 const std::vector<LoadLevel>& LoadLevels() {
-  static const std::vector<LoadLevel> levels{{"nothing", 1.0, true, true, 1.0},
-                                             {"slow refinement", 1.0, false, true, 1.2},
-                                             {"half of the paths", 1.0, false, false, 1.15},
-                                             {"resolution: 3/4", 0.75, false, false, 1.15},
-                                             {"resolution: 1/2", 0.5, false, false, 1.7},
-                                             {"resolution: 1/3", 1.0 / 3.0, false, false, 1.2},
-                                             {"resolution: 1/4", 0.25, false, false, 1.3}};
-  return levels;
+  static const std::vector<LoadLevel> kLevels{{"nothing", 1.0, true, true, 1.0},
+                                              {"slow refinement", 1.0, false, true, 1.2},
+                                              {"half of the paths", 1.0, false, false, 1.15},
+                                              {"resolution: 3/4", 0.75, false, false, 1.15},
+                                              {"resolution: 1/2", 0.5, false, false, 1.7},
+                                              {"resolution: 1/3", 1.0 / 3.0, false, false, 1.2},
+                                              {"resolution: 1/4", 0.25, false, false, 1.3}};
+  return kLevels;
 }
 
 cv::Size SizeAtLevel(cv::Size size, const LoadLevel& level) {

@@ -44,8 +44,8 @@ Options Paper() {
 }  // namespace
 
 const std::vector<std::string>& PresetNames() {
-  static const std::vector<std::string> names{"default", "quality", "paper"};
-  return names;
+  static const std::vector<std::string> kNames{"default", "quality", "paper"};
+  return kNames;
 }
 
 Options PresetOptions(const std::string& name) {

@@ -205,8 +205,9 @@ int Superpixels::Flood(int start, int label) {
   };
   component_.clear();
   visit(start);
-  for (std::size_t next = 0; next < component_.size(); ++next) {
-    const int i = component_[next];
+  std::size_t next = 0;
+  while (next < component_.size()) {
+    const int i = component_[next++];
     const int x = i % width;
     if (x > 0) visit(i - 1);
     if (x + 1 < width) visit(i + 1);

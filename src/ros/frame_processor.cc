@@ -125,7 +125,7 @@ cv_bridge::CvImageConstPtr FrameProcessor::CloudColor(
     const sensor_msgs::ImageConstPtr& color, const cv_bridge::CvImageConstPtr& left) const {
   if (!color) return left;
   try {
-    const cv_bridge::CvImageConstPtr image = ToImage(color, "left/image_rect_color");
+    cv_bridge::CvImageConstPtr image = ToImage(color, "left/image_rect_color");
     if (image->image.size() == left->image.size()) return image;
     tell_(Severity::kWarning, "color size",
           "left/image_rect_color is of " + std::to_string(color->width) + " x " +
@@ -148,7 +148,7 @@ void FrameProcessor::PublishBaseline(const MatchedFrame& matched, const InputPai
 stereo_sgmp::StatisticsPtr FrameProcessor::MakeStatistics(const MatchedFrame& matched,
                                                           const ros::WallTime& arrival,
                                                           std::uint64_t dropped) const {
-  const stereo_sgmp::StatisticsPtr message = ToStatistics(matched.result, matched.header);
+  stereo_sgmp::StatisticsPtr message = ToStatistics(matched.result, matched.header);
   message->latency_ms = MillisecondsSince(arrival);
   // As numbers: a ros::Duration does not hold every difference of two stamps.
   message->age_ms = (ros::Time::now().toSec() - matched.header.stamp.toSec()) * 1e3;

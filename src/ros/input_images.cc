@@ -23,13 +23,13 @@ struct Conversion {
 };
 
 const std::array<Conversion, 6>& Conversions() {
-  static const std::array<Conversion, 6> conversions{{{enc::MONO8, enc::MONO8},
-                                                      {enc::MONO16, enc::MONO16},
-                                                      {enc::BGR8, enc::BGR8},
-                                                      {enc::RGB8, enc::BGR8},
-                                                      {enc::BGRA8, enc::BGRA8},
-                                                      {enc::RGBA8, enc::BGRA8}}};
-  return conversions;
+  static const std::array<Conversion, 6> kConversions{{{enc::MONO8, enc::MONO8},
+                                                       {enc::MONO16, enc::MONO16},
+                                                       {enc::BGR8, enc::BGR8},
+                                                       {enc::RGB8, enc::BGR8},
+                                                       {enc::BGRA8, enc::BGRA8},
+                                                       {enc::RGBA8, enc::BGRA8}}};
+  return kConversions;
 }
 
 const std::string& TargetEncoding(const sensor_msgs::Image& message, const char* topic) {

@@ -46,7 +46,7 @@ cv::Mat PlanePicture(const MatchedFrame& frame) {
 }  // namespace
 
 const std::array<MapImage, kMapImageCount>& MapImages() {
-  static const std::array<MapImage, kMapImageCount> images{
+  static const std::array<MapImage, kMapImageCount> kImages{
       {{"depth", kFloat, Depth},
        {"confidence", kFloat, Confidence},
        {"error_disparity", kFloat, DisparityError},
@@ -54,7 +54,7 @@ const std::array<MapImage, kMapImageCount>& MapImages() {
        {"disparity_color", kColor, DisparityPicture},
        {"confidence_color", kColor, ConfidencePicture},
        {"priors_color", kColor, PlanePicture}}};
-  return images;
+  return kImages;
 }
 
 cv::Mat DisparityPicture(const MatchedFrame& frame) {

@@ -26,7 +26,8 @@ std::vector<PublishedTopic> PublishedTopics() {
   if (!ros::master::execute("getPublishedTopics", request, response, topics, kWait)) {
     return published;
   }
-  for (int i = 0; i < topics.size(); ++i) {
+  const int count = topics.size();
+  for (int i = 0; i < count; ++i) {
     published.push_back({topics[i][0], topics[i][1]});
   }
   return published;

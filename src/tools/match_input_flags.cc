@@ -68,7 +68,7 @@ cv::Mat MatchInputFlags::LoadSurface(const LoadedPair& pair) const {
 }
 
 cv::Mat MatchInputFlags::LoadDiscontinuities(const LoadedPair& pair) const {
-  const cv::Mat map = LoadImage(discontinuities_);
+  cv::Mat map = LoadImage(discontinuities_);
   if (map.type() != CV_8UC1) {
     throw std::invalid_argument(discontinuities_ +
                                 ": discontinuities in depth are expected as a picture of 8 bit "

@@ -98,10 +98,10 @@ TEST(NormalsFromDisparity, AverageNoise) {
   cv::Mat map = MapOf({60, 60}, {0.1, 0.1, 20.0});
   cv::Mat noise(map.size(), CV_32F);
   cv::RNG(5).fill(noise, cv::RNG::NORMAL, 0.0, 0.08);
-  const cv::Mat normals = NormalsFromDisparity(map + noise, camera);
+  const cv::Mat_<cv::Vec3f> normals = NormalsFromDisparity(map + noise, camera);
   double worst = 0.0;
-  for (auto n = normals.begin<cv::Vec3f>(); n != normals.end<cv::Vec3f>(); ++n) {
-    worst = std::max(worst, Distance(*n, camera, {0.1, 0.1, 20.0}));
+  for (const cv::Vec3f& n : normals) {
+    worst = std::max(worst, Distance(n, camera, {0.1, 0.1, 20.0}));
   }
   EXPECT_LT(worst, 0.06);  // neighbours alone would be wrong by up to 0.3
 }

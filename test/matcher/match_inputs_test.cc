@@ -22,8 +22,8 @@ using ::testing::HasSubstr;
 
 // Weakly textured walls along the directions of a Manhattan world.
 const GeneratedScene& Corridor() {
-  static const GeneratedScene scene = MakeScene(SceneKind::kCorridor, {320, 200}, 48, {}, 4);
-  return scene;
+  static const GeneratedScene kScene = MakeScene(SceneKind::kCorridor, {320, 200}, 48, {}, 4);
+  return kScene;
 }
 
 Options OptionsOf(Variant variant, const std::string& preset = "default") {

@@ -14,8 +14,8 @@ namespace {
 
 // An odd size, which no level divides.
 const GeneratedScene& Scene() {
-  static const GeneratedScene scene = MakeScene(SceneKind::kRoom, {321, 243}, 48, {}, 4);
-  return scene;
+  static const GeneratedScene kScene = MakeScene(SceneKind::kRoom, {321, 243}, 48, {}, 4);
+  return kScene;
 }
 
 MatchResult MatchAt(std::size_t level, const GeneratedScene& scene = Scene()) {

@@ -50,8 +50,9 @@ std::vector<float> RandomRows(unsigned seed) {
   std::normal_distribution<float> noise(0.0F, 0.3F);
   std::vector<float> rows(static_cast<std::size_t>(kStride * kHeight));
   for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::size_t row = i / kStride;
     const auto x = static_cast<float>(i % kStride);
-    const auto y = static_cast<float>(i / kStride);
+    const auto y = static_cast<float>(row);
     rows[i] = random() % 8 == 0 ? kNone : 0.2F * x - 0.1F * y + noise(random);
     rows[i] = std::round(8.0F * rows[i]) / 8.0F;
     if (x > 40.0F) rows[i] += 9.0F;

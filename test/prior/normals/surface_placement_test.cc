@@ -16,6 +16,7 @@ constexpr int kRatio = 4;
 const cv::Size kSize(256, 160);
 constexpr DisparityPlane kWall{0.12, -0.05, 30.0};
 constexpr DisparityPlane kFront{-0.3, 0.1, 120.0};
+const cv::Rect kFrontArea(71, 18, 127, 121);
 
 // A coarse map of what is known exactly, all of it confident.
 struct CoarseMap {
@@ -101,7 +102,6 @@ class ParallelSurfaces : public testing::Test {
     cv::randu(front, 115, 125);
   }
 
-  const cv::Rect kFrontArea{71, 18, 127, 121};
   KnownSurface known_ = PlaneSurface(kSize, {0.0, 0.0, 30.0}, OffCenterCamera());
   CoarseMap coarse_{known_};
   cv::Mat_<cv::Vec3b> image_{kSize};
