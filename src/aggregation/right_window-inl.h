@@ -15,6 +15,7 @@
 
 #include "aggregation/lanes-inl.h"
 #include "aggregation/sweep_kernel.h"
+#include "common/numbers-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace stereo_sgmp {
@@ -123,7 +124,8 @@ class RightWindow {
   static HWY_INLINE Lanes<T> IndicesOf(int part, int v) {
     const Tag<T> d;
     const int first = v * kLanes<T>;
-    return part == 0 ? hn::Iota(d, static_cast<T>(first)) : hn::Set(d, static_cast<T>(first >> 8));
+    return part == 0 ? NumbersFrom(d, static_cast<T>(first))
+                     : hn::Set(d, static_cast<T>(first >> 8));
   }
 
   static HWY_INLINE T LeavingLane(const Lanes<T>* vectors, int count) {

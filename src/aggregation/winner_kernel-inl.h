@@ -18,6 +18,7 @@
 #include "aggregation/right_window-inl.h"
 #include "aggregation/stretch_sums-inl.h"
 #include "aggregation/sweep_kernel.h"
+#include "common/numbers-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace stereo_sgmp {
@@ -60,7 +61,7 @@ class WinnerReader {
       sums_.StoreLeastOf(
           [&](int place, int v, Lanes<T> excess) STEREO_SGMP_INLINE_ATTR {
             const auto is_least = hn::Eq(excess, hn::Set(d, least_[place]));
-            const Lanes<T> indices = hn::Iota(d, static_cast<T>(v * kLanes<T>));
+            const Lanes<T> indices = NumbersFrom(d, static_cast<T>(v * kLanes<T>));
             return hn::IfThenElse(is_least, indices, hn::Set(d, kMost));
           },
           winner);

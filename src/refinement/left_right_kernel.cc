@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "common/numbers-inl.h"
 #include "refinement/right_winners-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -21,7 +22,7 @@ void DifferencesOfRow(DI di, const WinnerMap& map, int y, std::uint16_t* out) {
   RightWinners right(map.right_winner[y], map.shape.width);
   ForStretches(map.shape.width, lanes, [&](int x, int count) {
     for (int i = 0; i < count; i += lanes) {
-      const auto column = hn::Iota(di, x + i - map.shape.min_disparity);
+      const auto column = NumbersFrom(di, x + i - map.shape.min_disparity);
       const auto winner = hn::PromoteTo(di, hn::LoadU(d16, winners + x + i));
       right.SetMatches(di, i, hn::Sub(column, winner));
     }

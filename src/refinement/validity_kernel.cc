@@ -4,6 +4,7 @@
 
 #include <hwy/highway.h>
 
+#include "common/numbers-inl.h"
 #include "refinement/right_winners-inl.h"
 #include "refinement/validity_kernel.h"
 #include "stereo_sgmp/match_result.h"
@@ -127,7 +128,7 @@ void FindInvalidInRow(D d, D64 d64, const WinnerMap& map, int y, const CheckedRo
   ForStretches(limits.width, lanes, [&](int begin, int count) {
     for (int i = 0; i < count; i += lanes) {
       const auto disparity = RoundHalfAway(hn::LoadU(d, row.disparity + begin + i));
-      right.SetMatches(di, i, hn::Sub(hn::Iota(di, begin + i), disparity));
+      right.SetMatches(di, i, hn::Sub(NumbersFrom(di, begin + i), disparity));
     }
     right.Read(count);
     FindFar(d64, right, row.disparity + begin, count, limits, far);
@@ -145,7 +146,7 @@ void FindInvalidInRow(D d, D64 d64, const WinnerMap& map, int y, const CheckedRo
       reason = hn::IfThenElse(hn::RebindMask(di, unsure), Reason(di, InvalidReason::kUncertainty),
                               reason);
       const auto winner = hn::PromoteTo(di, hn::LoadU(d16, winners + x));
-      const auto match = hn::Sub(hn::Iota(di, x - limits.min_disparity), winner);
+      const auto match = hn::Sub(NumbersFrom(di, x - limits.min_disparity), winner);
       reason =
           hn::IfThenElse(IsOutside(di, match, limits), Reason(di, InvalidReason::kBorder), reason);
       reason = hn::IfThenElse(IsEnd(di, winner, limits), Reason(di, InvalidReason::kRange), reason);
